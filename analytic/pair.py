@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from analytic.brief import points_of
 from analytic.contact.factors import ContactCorrection
 from analytic.errors import InputError
-from analytic.loads.balls import LoadEffects
 from analytic.loads.pair import PairContacts, PairEquilibrium, pair_equilibrium
+from analytic.loads.turning import Inertia
 from analytic.numerics.elements import share_in
 from analytic.result import FrictionTorque, PairPart, TorqueParts
 from analytic.scene import Arrangement, Array, Operation, Scene
@@ -61,11 +61,8 @@ def pair_in_series(scene: Scene, arrangement: Arrangement, correction: ContactCo
         arrangement,
         operation,
         PairContacts(
-            effects=LoadEffects(
-                load_distribution=computed("load_distribution"),
-                centrifugal=computed("centrifugal"),
-                gyroscopic=computed("gyroscopic"),
-            ),
+            load_distribution=computed("load_distribution"),
+            inertia=Inertia(centrifugal=computed("centrifugal"), gyroscopic=computed("gyroscopic")),
             finite_geometry=computed("finite_geometry"),
             correction=correction,
         ),

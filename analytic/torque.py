@@ -38,7 +38,6 @@ from analytic.effects import (
 from analytic.errors import FembearingError, InputError, require_finite, require_non_negative, require_positive
 from analytic.given import Quantity, SceneOptions
 from analytic.limits import LimitNumbers, limit_numbers, limit_reasons, torque_warnings
-from analytic.loads.balls import LoadedBalls
 from analytic.loads.finite_geometry import corrections_of
 from analytic.loads.ring_balance import require_enough_balls
 from analytic.loads.ring_state import RingState, state_of_ring
@@ -102,11 +101,6 @@ class Races:
         return "as_printed" if self.scene.microslip == "as_printed" else "over_ellipse"
 
     @cached_property
-    def balls(self) -> LoadedBalls:
-        """The loaded balls as arrays."""
-        return self.found.loaded_balls(self.scene.bearing)
-
-    @cached_property
     def parts(self) -> dict[str, Array]:
         """Each (n,), N m, of the effects that count."""
         return {name: self.found.points[name].copy() for name in OF_RACES if self.counted[name]}
@@ -115,7 +109,7 @@ class Races:
     def drive(self) -> CageDrive | None:
         """What drives the cage; None: there is none."""
         scene, speed = self.scene, self.points[:, 3]
-        return None if scene.cage is None else cage_drive(scene, self.balls, self.coefficient, speed)
+        return None if scene.cage is None else cage_drive(scene, self.found.balls, self.coefficient, speed)
 
     @cached_property
     def moves(self) -> CageMoves:
@@ -487,7 +481,7 @@ def _chosen_effect(races: Races, name: str, parts: Mapping[str, Array], total: A
             return Effect(name=name, decision="on", share=None, reason=reason)
         points = races.found.points
         if points["beyond_fit"].any() and not points["fit_applied"].any():
-            reason = f"not applied: {'; '.join(corrections_of(scene.bearing, races.balls).warnings)}"
+            reason = f"not applied: {'; '.join(corrections_of(scene.bearing, races.found.balls).warnings)}"
             return Effect(name=name, decision="off", share=0.0, share_is="part", reason=reason)
     share_is = "measured" if ENTRIES[name].kind == "computed" else "unknown"
     return Effect(name=name, decision="on", share=None, share_is=share_is, reason=ENTRIES[name].given)
@@ -551,7 +545,7 @@ def _beyond_the_fit(races: Races) -> tuple[str, ...]:
     corrects = races.correction is None and races.counted["finite_geometry"]
     if not corrects or not races.found.points["beyond_fit"].any():
         return ()
-    return corrections_of(races.scene.bearing, races.balls).warnings
+    return corrections_of(races.scene.bearing, races.found.balls).warnings
 
 
 def _two_states(races: Races) -> Iterator[str]:
@@ -569,8 +563,8 @@ def _two_states(races: Races) -> Iterator[str]:
         )
 
 
-def loaded_balls_of(scene: Scene) -> LoadedBalls:
-    """The loaded balls at every operating point, with every effect on their loads that the scene does not rule out.
+def loaded_balls_of(scene: Scene) -> Records:
+    """(n, m) `records.BALL` at every operating point, with every effect on loads that the scene does not rule out.
 
     They turn by closed kinematics. Raises InputError and ConvergenceError as `friction_torque` does.
     """
@@ -579,7 +573,7 @@ def loaded_balls_of(scene: Scene) -> LoadedBalls:
     bare = replace(scene, lubricant=None, surface=None, effects={**scene.effects, **off})
     races = races_of(bare)
     require_settled(bare, races.model, races.points, races.found)
-    return races.balls
+    return races.found.balls
 
 
 def _require_room(bearing: Bearing) -> None:

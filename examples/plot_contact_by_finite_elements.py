@@ -22,16 +22,16 @@ scene = analytic.load_scene("6205-dry")
 contact = fembearing.solve_contact(scene, pair="inner", load=500.0, accuracy=0.005)
 for mesh in contact.meshes:
     print(f"{mesh.unknowns} unknowns")
-for name, estimate in contact.estimates.items():
-    discrepancy = 100 * contact.discrepancy[name]
-    print(f"{name:22} {estimate.value:11.5g} +- {100 * estimate.total:.2f} %, Hertz {discrepancy:+.2f} %")
+for name, each in contact.numbers.quantities.items():
+    uncertainty, discrepancy = 100 * each.relative_uncertainty, 100 * each.discrepancy
+    print(f"{name:22} {each.reference:11.5g} +- {uncertainty:.2f} %, Hertz {discrepancy:+.2f} %")
 
 # %%
 # The pressure along both axes
 # ----------------------------
 # Along rolling, and across it. The dots are nodes of the finest mesh.
 
-profiles = contact.pressure_profile
+profiles = contact.numbers.pressure_profile
 figure, axes = plt.subplots(1, 2, sharey=True, figsize=(7.2, 3.6), layout="constrained")
 for axis, (direction, profile) in zip(axes, vars(profiles).items(), strict=True):
     for label, style, line in (("Hertz", "k-", profile.hertz), ("finite elements", "C0o", profile.fe)):

@@ -24,9 +24,9 @@ print(f"exponent {series.law.exponent:.4f} +- {series.law.exponent_uncertainty:.
 # %%
 # The approach of the true contact is smaller than Hertz's, the more so the larger the ellipse is against the groove.
 
-approach = np.array([point.approach.value for point in series.points])
-hertz = np.array([point.hertz_approach for point in series.points])
-uncertainty = np.array([point.approach.total for point in series.points])
+approach = np.array([point.approach.reference for point in series.points])
+hertz = np.array([point.approach.production for point in series.points])
+uncertainty = np.array([point.approach.relative_uncertainty for point in series.points])
 
 figure, axes = plt.subplots(1, 2, figsize=(7.2, 3.6), layout="constrained")
 axes[0].loglog(1e6 * hertz, loads, "k", label="Hertz")

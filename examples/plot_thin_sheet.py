@@ -23,7 +23,7 @@ for thickness in (0.9e-3, 0.1e-3):
     solved[thickness] = fembearing.solve_contact(
         replace(scene, cage=cage), pair="pocket", geometry="wall", load=28.0, accuracy=0.05
     )
-print(solved[0.1e-3].warnings[-1])
+print(solved[0.1e-3].numbers.warnings[-1])
 
 # %%
 # The pressure of each node over its distance from the centre. Both sheets carry the same load.

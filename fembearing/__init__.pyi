@@ -1,7 +1,7 @@
-from .check.contact.discrepancy import ContactSolution as ContactSolution
-from .check.contact.discrepancy import solve_contact as solve_contact
 from .check.contact.load_series import LoadSeries as LoadSeries
 from .check.contact.load_series import solve_load_series as solve_load_series
+from .check.contact.solution import ContactSolution as ContactSolution
+from .check.contact.solution import solve_contact as solve_contact
 from .check.measured.comparison import MeasuredComparison as MeasuredComparison
 from .check.measured.comparison import compare_measured as compare_measured
 from .check.validation import Validation as Validation

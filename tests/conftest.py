@@ -14,7 +14,7 @@ from hypothesis import settings
 
 if TYPE_CHECKING:
     from analytic.scene import Contact
-    from fembearing.check.contact.discrepancy import ContactSolution
+    from fembearing.check.contact.solution import ContactSolution
     from fembearing.check.validation import Validation
     from fembearing.mesh.recipe import Recipe
 
@@ -25,7 +25,8 @@ SHARE_CHECKED = (  # files and folders of tests that use `checked` or `cut_conta
     "tests/report/",
     "tests/fem/test_shoulder.py",
     "tests/test_brief.py",
-    "tests/check/contact/test_discrepancy.py",
+    "tests/check/contact/test_sheet.py",
+    "tests/check/contact/test_solution.py",
     "tests/check/contact/test_twin_refinement.py",
     "tests/check/test_validation.py",
 )
@@ -70,7 +71,7 @@ def contacts() -> "dict[str, Contact]":
 @pytest.fixture(scope="session")
 def cut_contact(contacts: "dict[str, Contact]") -> "ContactSolution":
     """Half a contact on three meshes: its shoulder cuts it off, Hertz's semi-axis would be 0.946 mm."""
-    from fembearing.check.contact.discrepancy import compare_contact
+    from fembearing.check.contact.solution import compare_contact
 
     narrow = replace(contacts["inner"], shoulder=0.8e-3)
     return compare_contact(narrow, recipe=shallow_recipe("race"), tolerance=0.9)
@@ -91,14 +92,6 @@ def shallow() -> "Callable[[str], Recipe]":
     return shallow_recipe
 
 
-def quickly_timed(patch: pytest.MonkeyPatch) -> None:
-    """The fewest timings of formulas, for tests that do not depend on their spread."""
-    from fembearing.check.cost import ladder
-
-    patch.setattr(ladder, "FORMULA_REPEATS", 3)
-    patch.setattr(ladder, "SAMPLE", 0.0)
-
-
 class Checked(NamedTuple):
     validation: "Validation"
     shares: list[float]  # that its progress told
@@ -114,7 +107,6 @@ def checked_with_progress(shallow: "Callable[[str], Recipe]") -> Checked:
     shares: list[float] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(scene_contact, "load_recipe", shallow)
-        quickly_timed(patch)
         scene = load_scene("6205-dry")
         return Checked(check_scene(scene, tolerance=0.9, progress=lambda share, _: shares.append(float(share))), shares)
 

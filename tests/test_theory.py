@@ -7,16 +7,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from analytic.cage.steady import rest_torque
+from analytic.cage.steady import hanging_torque
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import contact_modulus
 from analytic.contact.rolling_contact import elliptic_contact
 from analytic.loads.kinematics import ball_kinematics
-from analytic.loads.thrust import ThrustEquilibrium, thrust_equilibrium
+from analytic.loads.state import approaches
+from analytic.loads.thrust import thrust_equilibrium
+from analytic.numerics.records import Records
 from analytic.oil.film import central_film
-from analytic.scene import ContactAngle
+from analytic.scene import STANDARD_GRAVITY, ContactAngle
 from analytic.sliding.long_ellipse import microslip_moments
 from tests.analytic.specimens import BEARING_6205 as BEARING
+from tests.analytic.specimens import loaded_contacts
 
 FOLDER = Path(__file__).resolve().parents[1] / "docs/theory"
 TEXTS = {page.stem: page.read_text("utf-8") for page in sorted(FOLDER.glob("*.md"))}
@@ -73,7 +76,7 @@ def test_every_chapter_has_symbols_with_units_and_a_range(page: str) -> None:
     assert re.search(r"[Rr]ange", TEXTS[page])
 
 
-def under_thrust(angle: ContactAngle) -> ThrustEquilibrium:
+def under_thrust(angle: ContactAngle) -> Records:
     return thrust_equilibrium(BEARING, angle, axial_load=THRUST)
 
 
@@ -84,8 +87,8 @@ def says(page: str, *numbers: str) -> None:
 
 def test_the_contact_on_the_page_of_geometry_is_computed() -> None:
     thrust = under_thrust(ContactAngle(rule="given", value=ANGLE))
-    says("geometry-and-contact", f"{float(thrust.ball_load):.1f} N", f"{BEARING.diametral_clearance * 1e3:.3f} mm")
-    for hertz in (thrust.inner, thrust.outer):
+    says("geometry-and-contact", f"{thrust['load'][0]:.1f} N", f"{BEARING.diametral_clearance * 1e3:.3f} mm")
+    for hertz in loaded_contacts(thrust):
         axes = (hertz.semi_axis_x, hertz.semi_axis_y)
         says("geometry-and-contact", *(f"{float(axis) * 1e3:.4g} mm" for axis in axes))
         says("geometry-and-contact", f"{float(hertz.peak_pressure) / 1e9:.4g} GPa")
@@ -95,30 +98,27 @@ def test_the_contact_on_the_page_of_geometry_is_computed() -> None:
 def test_018_rad_cannot_be_the_angle_under_load() -> None:
     thrust = under_thrust(ContactAngle(rule="given", value=ANGLE))
     distance = BEARING.groove_centre_distance
-    cosine = (distance + float(thrust.approach)) / distance * np.cos(ANGLE)
+    cosine = (distance + float(approaches(thrust).sum())) / distance * np.cos(ANGLE)
     assert cosine > 1
-    says("loads-and-equilibrium", f"= {cosine:.3f} > 1", f"{float(thrust.ball_load):.0f} N")
+    says("loads-and-equilibrium", f"= {cosine:.3f} > 1", f"{thrust['load'][0]:.0f} N")
     free = under_thrust(ContactAngle(rule="solved", free=ANGLE))
-    says("loads-and-equilibrium", f"{float(free.contact_angle):.3f} rad", f"{float(free.ball_load):.0f} N")
+    says("loads-and-equilibrium", f"{free['angle'][0]:.3f} rad", f"{free['load'][0]:.0f} N")
 
 
 def test_the_films_on_their_page_are_computed() -> None:
     rolling, transverse = race_curvatures(BEARING, "inner", contact_angle=ANGLE)
-    motion = ball_kinematics(
-        inner_speed=np.array([100.0, 500.0]) * np.pi / 30,
-        inner_angle=ANGLE,
-        outer_angle=ANGLE,
-        pitch_diameter=BEARING.pitch_diameter,
-        ball_diameter=BEARING.ball_diameter,
-    )
+    motion = ball_kinematics(np.pi / 30, ANGLE, ANGLE, BEARING.pitch_diameter, BEARING.ball_diameter)
     contact = elliptic_contact(
         curvature_rolling=rolling,
         curvature_transverse=transverse,
-        load=under_thrust(ContactAngle(rule="given", value=ANGLE)).ball_load,
+        load=under_thrust(ContactAngle(rule="given", value=ANGLE))["load"][0],
         modulus=contact_modulus(BEARING.ball_material, BEARING.inner.material),
     )
     film = central_film(
-        contact, entrainment_speed=motion.inner_entrainment, viscosity=0.06, pressure_viscosity=2e-8
+        contact,
+        entrainment_speed=np.array([100.0, 500.0]) * motion.inner_entrainment,
+        viscosity=0.06,
+        pressure_viscosity=2e-8,
     ).thickness
     says("film", f"{film[0] * 1e6:.4f} um at 100 1/min", f"{film[1] * 1e6:.3f} um at 500 1/min")
 
@@ -137,18 +137,6 @@ def test_the_moments_at_the_ends_of_the_range_are_those_of_the_table() -> None:
 
 
 def test_the_torque_of_a_resting_cage_is_computed() -> None:
-    motion = ball_kinematics(
-        inner_speed=1.0,
-        inner_angle=ANGLE,
-        outer_angle=ANGLE,
-        pitch_diameter=BEARING.pitch_diameter,
-        ball_diameter=BEARING.ball_diameter,
-    )
-    torque = rest_torque(
-        friction_coefficient=0.1,
-        cage_mass=6.58e-3,
-        ball_rate=motion.ball_speed,
-        ball_radius=BEARING.ball_radius,
-        contact_angle=ANGLE,
-    )
+    motion = ball_kinematics(1.0, ANGLE, ANGLE, BEARING.pitch_diameter, BEARING.ball_diameter)
+    torque = hanging_torque(0.1, 6.58e-3 * STANDARD_GRAVITY, motion.ball_speed * BEARING.ball_radius, ANGLE)
     says("cage", f"{float(torque) * 1e3:.3f} N mm")

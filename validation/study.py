@@ -2,9 +2,11 @@
 
 import csv
 import os
+import platform
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from importlib.metadata import version
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
@@ -25,9 +27,16 @@ out = Console(width=130, highlight=False, markup=False)
 progress = Console(stderr=True)
 
 
+def machine() -> str:
+    """The machine and versions of a run, for the head of its results."""
+    versions = ", ".join(f"{package} {version(package)}" for package in ("fembearing", "numpy", "scipy"))
+    cores = f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()}"
+    return f"{cores}, Python {platform.python_version()}; {versions}"
+
+
 def run(main: Callable[..., object]) -> None:
     """The command line of a program; its help is the program's docstring."""
-    command = typer.Typer(add_completion=False, rich_markup_mode=None)
+    command = typer.Typer(add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False)
     command.command(help=sys.modules[main.__module__].__doc__)(main)
     command()
 

@@ -22,7 +22,7 @@ from analytic.cage.steady import RestingCage, lead_room, whirl_force, whirl_spee
 from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.errors import InputError, require_non_negative, require_positive
-from analytic.loads.balls import LoadedBalls, LoadEffects
+from analytic.numerics.records import Records
 from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, Cage, Scene
 from analytic.words import speed_of
@@ -208,21 +208,29 @@ class RaceGrip:
             )
 
 
-def race_grip(balls: LoadedBalls, friction_coefficient: Array | float | None, *, pitch_radius: float) -> RaceGrip:
-    """The grip of loaded balls; friction_coefficient : mu of each race contact, (2, n, m) or broadcasting to it.
+def on_races(of_balls: Array) -> Array:
+    """(2, n, m) of each race from (n, m, 2)."""
+    return np.moveaxis(of_balls, -1, 0)
 
+
+def race_grip(bearing: Bearing, balls: Records, friction_coefficient: Array | float | None) -> RaceGrip:
+    """The grip of loaded balls.
+
+    balls : (n, m) of `analytic.solve.records.BALL`;  friction_coefficient : mu of each race contact, (2, n, m) or one
     Creep along rolling has G C11 = pi^2 G/(4 (1 - nu)), the limit of a long ellipse: pi^2 E*/4 for like bodies.
     """
-    stiffness = np.pi**2 / 4 * balls.modulus * balls.contact.semi_axis_x * balls.contact.semi_axis_y
-    friction = None
+    modulus = [contact_modulus(bearing.ball_material, groove.material) for groove in (bearing.inner, bearing.outer)]
+    along, across = (on_races(balls[f"semi_axis_{name}"]).copy() for name in ("rolling", "transverse"))
+    stiffness, friction = np.pi**2 / 4 * np.reshape(modulus, (2, 1, 1)) * along * across, None
     if friction_coefficient is not None:
-        friction = np.where(balls.load > 0, friction_coefficient * balls.load, 0.0)
+        load = on_races(balls["load"])
+        friction = np.where(load > 0, friction_coefficient * load, 0.0)
     return RaceGrip(
         friction=friction,
-        alike=balls.alike,
-        ball_lead=ball_lead(balls.motion.cage_speed, pitch_radius=pitch_radius),
+        alike=bearing.ball_count // balls.shape[1],
+        ball_lead=ball_lead(balls["motion"]["cage_speed"], pitch_radius=bearing.pitch_diameter / 2),
         creep_stiffness=stiffness.mean(axis=(0, 2)),
-        outer_radius=balls.motion.outer_radius.mean(axis=1),
+        outer_radius=balls["motion"]["outer_radius"].mean(axis=1),
     )
 
 
@@ -238,7 +246,7 @@ class CageDrive:
     ball_rate: Array  # w_b/w, of each ball about its own axis relative to the orbit
     contact_angle: Array  # al, magnitude, rad
     grip: RaceGrip  # of the races on the balls
-    balls: LoadedBalls
+    balls: Records  # (n, m) of `analytic.solve.records.BALL`
     friction_coefficient: Array | float | None  # mu of each race contact, (2, n, m) or one; None: not known
 
     @property
@@ -311,16 +319,16 @@ class CageDrive:
 
         Errors as those of `analytic.cage.raceways`.
         """
-        load = self.balls.load[:, point]
+        balls, load = self.balls[point], on_races(self.balls["load"])[:, point]
         given = 0.0 if self.friction_coefficient is None else self.friction_coefficient
-        mu = np.broadcast_to(given, self.balls.load.shape)
+        mu = np.broadcast_to(given, (2, *self.balls.shape))
         inner, outer = np.sum(mu[:, point] * load, axis=1) / np.maximum(load.sum(axis=1), LEAST_LOAD)
         friction, speed = (float(inner), float(outer)), float(self.inner_speed[point])
-        if self.balls.method == "thrust":
-            return thrust_raceways(self.bearing, self.balls, point=point, inner_speed=speed, friction=friction)
+        if balls.size == 1:
+            return thrust_raceways(self.bearing, balls, inner_speed=speed, friction=friction)
         whole = scene.operation.as_series()
         operation = whole.at(np.array([point]))
-        return ring_raceways(self.bearing, scene.contact_angle, operation, LoadEffects(), friction=friction)
+        return ring_raceways(self.bearing, scene.contact_angle, operation, friction=friction)
 
     def pocket_friction(self, scene: Scene, force: Array) -> PocketFriction:
         """Friction of the balls when their normal forces add up to `force`, (n,), N, > 0."""
@@ -329,25 +337,28 @@ class CageDrive:
 
 
 def cage_drive(
-    scene: Scene, balls: LoadedBalls, friction_coefficient: Array | float | None, inner_speed: Array
+    scene: Scene, balls: Records, friction_coefficient: Array | float | None, inner_speed: Array
 ) -> CageDrive:
     """The cage of a scene as these balls drive it.
 
-    friction_coefficient : mu of each race contact, (2, n, m) or one; None: not known;  inner_speed : w, (n,), rad/s
+    balls : (n, m) of `analytic.solve.records.BALL`;  inner_speed : w, (n,), rad/s
+    friction_coefficient : mu of each race contact, (2, n, m) or one; None: not known
     Raises InputError for a scene without a cage, or a pocket without clearance for its ball.
     """
     bearing, cage = scene.bearing, scene.cage
     if cage is None:
         raise InputError("the scene has no [cage] to drive: add an empty table [cage] for the catalog's")
+    motion, angle = balls["motion"], balls["angle"]
+    side = np.where(angle.sum(axis=-1) < 0, -1.0, 1.0)  # a ball that is pressed the other way drives the cage alike
     return CageDrive(
         bearing=bearing,
         cage=cage,
         shape=pocket_shape_of(bearing, cage),
         inner_speed=inner_speed,
-        orbit_rate=balls.motion.cage_speed.mean(axis=1),
-        ball_rate=balls.motion.ball_speed.mean(axis=1),
-        contact_angle=np.abs(balls.contact_angle.mean(axis=(0, 2))),
-        grip=race_grip(balls, friction_coefficient, pitch_radius=bearing.pitch_diameter / 2),
+        orbit_rate=motion["cage_speed"].mean(axis=1),
+        ball_rate=motion["ball_speed"].mean(axis=1),
+        contact_angle=np.abs((side * on_races(angle)).mean(axis=(0, 2))),
+        grip=race_grip(bearing, balls, friction_coefficient),
         balls=balls,
         friction_coefficient=friction_coefficient,
     )
@@ -392,6 +403,4 @@ def pocket_stiffness_of(bearing: Bearing, cage: Cage) -> float:
         return cage.pocket_stiffness
     pocket = pocket_contact(bearing, cage, load=0.0)
     modulus = contact_modulus(pocket.ball_material, pocket.race_material)
-    return float(
-        pocket_stiffness(ball_diameter=bearing.ball_diameter, pocket_diameter=cage.pocket_diameter, modulus=modulus)
-    )
+    return pocket_stiffness(ball_diameter=bearing.ball_diameter, pocket_diameter=cage.pocket_diameter, modulus=modulus)

@@ -765,7 +765,7 @@ class CageMotion:
         if self.raceways is None or not cage.impact_speed > 0:
             return cage.contact_time
         mass = _impact_mass(cage, self.raceways)
-        return float(impact(mass=mass, speed=cage.impact_speed, stiffness=cage.stiffness).duration)
+        return impact(mass=mass, speed=cage.impact_speed, stiffness=cage.stiffness).duration
 
     def _require_fine_steps(self, raceways: Raceways, force: float) -> None:
         """Raise InputError if the hardest impact, with this force, N, had too few steps."""

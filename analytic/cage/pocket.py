@@ -41,23 +41,22 @@ from analytic.surface.gap import SMOOTH_GAP, GapForm, GapNumbers, gap_forms
 FAST = frozenset(("contract", "reassoc", "arcp", "nsz", "afn"))  # NaN and infinity keep their meaning
 SATURATED = 20.0  # |v|/v0 from where tanh is 1 in double precision
 
-SHELLS = np.array([1.0, -1.0])  # s
 LEAST_RESTITUTION = 0.05  # below, the damping force exceeds twenty times the elastic force
 # (1 - e)/(1 + e) below which a series of four terms is used: its error is 4e-13, less than that of cancellation.
 SMALL_LOSS = 0.03
 NEWTON_OF_SHEET = 5  # from at most 1.33 times the root, on a convex function: the error is below 1e-12
 
 
-def pocket_stiffness(*, ball_diameter: ArrayLike, pocket_diameter: ArrayLike, modulus: ArrayLike) -> Array:
-    """K_pb = (4/3) E* sqrt(R), N/m^1.5: a ball in a spherical seat by Hertz; the arguments broadcast.
+def pocket_stiffness(*, ball_diameter: float, pocket_diameter: float, modulus: float) -> float:
+    """K_pb = (4/3) E* sqrt(R), N/m^1.5: a ball in a spherical seat by Hertz.
 
     ball_diameter, pocket_diameter : D_b < D_p, m;  modulus : E*, Pa;  1/R = 2/D_b - 2/D_p
     Raises InputError for a pocket no wider than the ball.
     """
     _require_wider_pocket(ball_diameter, pocket_diameter)
     require_positive(modulus=modulus)
-    ball, pocket = np.asarray(ball_diameter), np.asarray(pocket_diameter)
-    return np.asarray(4 / 3 * np.asarray(modulus) * np.sqrt(ball * pocket / (2 * (pocket - ball))))
+    radius = ball_diameter * pocket_diameter / (2 * (pocket_diameter - ball_diameter))
+    return float(4 / 3 * modulus * np.sqrt(radius))
 
 
 class PocketShape(NamedTuple):
@@ -83,23 +82,6 @@ def pocket_shape(*, ball_diameter: float, pocket_diameter: float, pocket_depth: 
     return PocketShape((pocket_diameter - ball_diameter) / 2, pocket_diameter / 2 - pocket_depth)
 
 
-def penetration(offset: ArrayLike, *, half_clearance: float, centre_offset: float) -> tuple[Array, Array]:
-    """(delta, normal) of both shells by equation 13; delta (..., 2), m, 0 without contact; normal (..., 2, 3).
-
-    offset : u, (..., 3), of the ball in the frame of the pocket, m;  half_clearance : nabla, m
-    centre_offset : D_p/2 - k, m
-        u_s = u + s (D_p/2 - k) x,  delta_s = |u_s| - nabla where that is positive and s u_sx > 0
-    Where u_sx = 0 only the shell s = +1 acts.
-    """
-    along_axis = SHELLS[:, None] * np.array([centre_offset, 0.0, 0.0])
-    from_centre = np.asarray(offset, dtype=np.float64)[..., None, :] + along_axis
-    distance = np.linalg.norm(from_centre, axis=-1)
-    side = SHELLS * from_centre[..., 0]
-    facing = (side > 0) | ((side == 0) & (SHELLS > 0))
-    normal = np.divide(from_centre, distance[..., None], out=np.zeros(from_centre.shape), where=distance[..., None] > 0)
-    return np.where(facing, np.maximum(distance - half_clearance, 0.0), 0.0), normal
-
-
 @compiled(fastmath=FAST, inline=True)
 def elastic_force(stiffness, softness, depth):
     """N, N, of a contact in series with a sheet: depth = (N/K_pb)^(2/3) + N/k.
@@ -114,33 +96,6 @@ def elastic_force(stiffness, softness, depth):
     for _ in range(NEWTON_OF_SHEET):
         root -= (root * root * (1.0 + share * root) - depth) / (root * (2.0 + 3.0 * share * root))
     return stiffness * root * root * root
-
-
-def normal_force(
-    deformation: ArrayLike, *, rate: ArrayLike, impact_speed: ArrayLike, stiffness: float, damping: float
-) -> Array:
-    """K delta^1.5 (1 + damping delta'/v), N, at least 0: equation 14 with the loss of [Hunt1975]; all broadcast.
-
-    deformation : delta, m, >= 0;  rate : delta', m/s;  impact_speed : v, at which the contact began to close, m/s, > 0
-    stiffness : K_pb, N/m^1.5;  damping : `impact_damping` of the restitution
-    """
-    require_non_negative(deformation=deformation)
-    require_positive(impact_speed=impact_speed)
-    elastic = stiffness * np.asarray(deformation) ** 1.5
-    return np.maximum(elastic * (1 + damping * np.asarray(rate) / np.asarray(impact_speed)), 0.0)
-
-
-def friction_force(normal: ArrayLike, sliding: ArrayLike, *, friction_coefficient: float, smoothing: float) -> Array:
-    """mu N tanh(|v|/v0) v/|v|, (..., 3), N: equation 16, of the ball on the cage, smoothed to be defined at v = 0.
-
-    normal : N, (...), N;  sliding : v, (..., 3), tangential velocity of the ball relative to the cage, m/s
-    friction_coefficient : mu;  smoothing : v0, m/s, > 0
-    """
-    require_positive(smoothing=smoothing)
-    velocity = np.asarray(sliding, dtype=np.float64)
-    speed = np.linalg.norm(velocity, axis=-1)
-    per_speed = np.divide(np.tanh(speed / smoothing), speed, out=np.full(speed.shape, 1 / smoothing), where=speed > 0)
-    return (friction_coefficient * np.asarray(normal) * per_speed)[..., None] * velocity
 
 
 def impact_damping(restitution: float) -> float:
@@ -170,33 +125,30 @@ def impact_damping(restitution: float) -> float:
 
 
 class Impact(NamedTuple):
-    """An impact without friction or loss; every field has the broadcast shape of the arguments."""
+    """An impact without friction or loss."""
 
-    indentation: Array  # the largest, m
-    force: Array  # the largest, N
-    duration: Array  # of the contact, s
+    indentation: float  # the largest, m
+    force: float  # the largest, N
+    duration: float  # of the contact, s
 
 
-def impact(*, mass: ArrayLike, speed: ArrayLike, stiffness: ArrayLike) -> Impact:
+def impact(*, mass: float, speed: float, stiffness: float) -> Impact:
     """A mass m hits the spring K delta^1.5 with the speed v: d = (5 m v^2/(4 K))^0.4, F = K d^1.5, t = 2.943 d/v.
 
-    mass : m, reduced, kg;  speed : v, m/s;  stiffness : K, N/m^1.5; all > 0, and they broadcast
+    mass : m, reduced, kg;  speed : v, m/s;  stiffness : K, N/m^1.5; all > 0
     The number is 2 int_0^1 dz/sqrt(1 - z^2.5) = 2 sqrt(pi) Gamma(1.4)/Gamma(0.9). The force is proportional to v^1.2.
     """
     require_positive(mass=mass, speed=speed, stiffness=stiffness)
-    m, v, k = np.asarray(mass), np.asarray(speed), np.asarray(stiffness)
-    deepest = (1.25 * m * v**2 / k) ** 0.4
-    return Impact(np.asarray(deepest), np.asarray(k * deepest**1.5), np.asarray(2.943275184 * deepest / v))
+    deepest = (1.25 * mass * speed**2 / stiffness) ** 0.4
+    return Impact(deepest, stiffness * deepest**1.5, 2.943275184 * deepest / speed)
 
 
-def _require_wider_pocket(ball_diameter: ArrayLike, pocket_diameter: ArrayLike) -> None:
+def _require_wider_pocket(ball_diameter: float, pocket_diameter: float) -> None:
     require_positive(ball_diameter=ball_diameter, pocket_diameter=pocket_diameter)
-    ball, pocket = np.broadcast_arrays(ball_diameter, pocket_diameter)
-    tight = np.flatnonzero(~(pocket > ball))
-    if tight.size:
+    if not pocket_diameter > ball_diameter:
         raise InputError(
-            f"pocket_diameter {float(pocket.flat[tight[0]])!r} m must exceed ball_diameter "
-            f"{float(ball.flat[tight[0]])!r} m: the ball has no clearance; usual is 0.1 to 0.3 mm more"
+            f"pocket_diameter {pocket_diameter!r} m must exceed ball_diameter {ball_diameter!r} m: the ball has no "
+            "clearance; usual is 0.1 to 0.3 mm more"
         )
 
 
@@ -246,7 +198,10 @@ def is_clear(cage, offset, axis):
 
 @compiled(fastmath=FAST, inline=True)
 def rubbing(cage, normal, speed):
-    """mu N tanh(|v|/v0)/|v|, N s/m: friction over the sliding speed."""
+    """mu N tanh(|v|/v0)/|v|, N s/m: friction over the sliding speed, equation 16, smoothed to be defined at v = 0.
+
+    cage : CAGE, with v0 = smoothing, m/s;  normal : N, N;  speed : |v|, m/s
+    """
     per_speed = cage.friction * normal
     if speed < SATURATED * cage.smoothing:
         ratio = speed / cage.smoothing
@@ -256,6 +211,12 @@ def rubbing(cage, normal, speed):
 
 @compiled(fastmath=FAST, inline=True)
 def _pushed_on_shell(cage, ball, body, impact_speed, shell):
+    """Push on the shell s = +1 (0) or -1 (1), by equation 13.
+
+        u_s = u + s (D_p/2 - k) x,  delta_s = |u_s| - nabla where that is positive and s u_sx > 0
+    The normal force is K delta^1.5 (1 + l delta'/v), at least 0: equation 14 with the loss of [Hunt1975], v the fastest
+    closing speed of the contact, l of `impact_damping`.
+    """
     ux, uy, uz = ball.offset
     ex, ey, ez = ball.axis
     cx, cy, cz = ball.centre

@@ -25,19 +25,20 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from analytic.cage.pocket import FAST
 from analytic.contact.geometry import RACES, race_curvatures
-from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact
+from analytic.contact.hertz import HertzContact, HertzNumbers, contact_modulus, hertz_contact, loaded_contact
 from analytic.contact.rolling_contact import deformed_radius
 from analytic.errors import InputError, SingularError, require_finite, require_non_negative
-from analytic.loads.balls import LoadedBalls, LoadEffects
-from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.kinematics import BallMotion, ball_kinematics
 from analytic.loads.ring import ring_equilibrium
-from analytic.loads.turning import RuledTurning
+from analytic.loads.turning import WHOLE_INERTIA, Inertia
 from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
 from analytic.numerics.machine_code import entry
+from analytic.numerics.records import Records
 from analytic.scene import Array, Bearing, ContactAngle, Operation
 
 # In a 6205 under 1000 N: 4 give 2.5 times the torque of a whirling cage. 24 leave 0.2 % of it, 0.8 % of the torque of
@@ -465,14 +466,9 @@ class Raceways:
         grooves = (bearing.inner, bearing.outer)
         modulus = np.reshape([contact_modulus(bearing.ball_material, groove.material) for groove in grooves], (2, 1))
         unit = _under_unit_load(bearing, contacts, modulus)
-        moving = ball_kinematics(
-            inner_speed=self.inner_speed,
-            inner_angle=angle[0],
-            outer_angle=angle[1],
-            pitch_diameter=bearing.pitch_diameter,
-            ball_diameter=bearing.ball_diameter,
-        )
-        speed, friction = np.abs(moving.entrainment_speed), np.reshape(self.friction, (2, 1))
+        moving = self._moving(*angle)
+        speed = np.abs([moving.inner_entrainment, moving.outer_entrainment])
+        friction = np.reshape(self.friction, (2, 1))
         by_force = _by_force(bearing, contacts)
         outward = (-1.0, 1.0)  # the inner raceway is on the inside of the ball
         table = np.zeros(load.shape[1], AZIMUTH)
@@ -541,20 +537,18 @@ class Raceways:
 
     def _rolling_ball(self) -> np.void:
         """A BALL at the azimuth 0 that rolls."""
-        inner_angle, outer_angle = self.contacts.contact_angle[:, 0]
         bearing, ball = self.bearing, np.zeros(1, BALL)[0]
         ball["contacts"] = self.table[0]
-        moving = ball_kinematics(
-            inner_speed=self.inner_speed,
-            inner_angle=inner_angle,
-            outer_angle=outer_angle,
-            pitch_diameter=bearing.pitch_diameter,
-            ball_diameter=bearing.ball_diameter,
-        )
+        moving = self._moving(*self.contacts.contact_angle[:, 0])
         ball["along"] = bearing.pitch_diameter / 2 * moving.cage_speed
         ball["outward"] = bearing.ball_radius * moving.ball_speed * np.sin(moving.pitch)
         ball["axial"] = bearing.ball_radius * (moving.cage_speed - moving.ball_speed * np.cos(moving.pitch))
         return ball
+
+    def _moving(self, inner_angle: ArrayLike, outer_angle: ArrayLike) -> BallMotion:
+        """Arrays of the motion by outer control."""
+        sizes = self.bearing.pitch_diameter, self.bearing.ball_diameter
+        return BallMotion._make(mapped(ball_kinematics, self.inner_speed, inner_angle, outer_angle, *sizes))
 
     def _rolled(self, ball: np.void, steps: int, step: float) -> NDArray[np.void]:
         """(steps,) of PATH."""
@@ -568,36 +562,28 @@ class Raceways:
         return path
 
 
-def thrust_raceways(
-    bearing: Bearing, balls: LoadedBalls, *, point: int, inner_speed: float, friction: tuple[float, float]
-) -> Raceways:
-    """Races under balls that are all alike, by `thrust_balls`.
+def thrust_raceways(bearing: Bearing, balls: Records, *, inner_speed: float, friction: tuple[float, float]) -> Raceways:
+    """Races under balls that are all alike.
 
-    point : the operating point of the balls;  inner_speed : w there, rad/s;  friction : mu of inner and outer race
+    balls : (1,) of `analytic.solve.records.BALL`, which stands for all;  inner_speed : w, rad/s
+    friction : mu of inner and outer race
     """
-    if balls.method != "thrust":
-        raise InputError(
-            f"balls by the method {balls.method!r} differ over a turn: take `ring_raceways`, which has their azimuths"
-        )
-    return Raceways(
-        bearing=bearing,
-        contacts=RaceContacts(
-            load=balls.load[:, point],
-            contact_angle=balls.contact_angle[:, point],
-            contact=HertzContact(**{name: value[:, point] for name, value in vars(balls.contact).items()}),
-        ),
-        friction=friction,
-        inner_speed=inner_speed,
+    names = {"semi_axis_x": "semi_axis_rolling", "semi_axis_y": "semi_axis_transverse"}
+    contact = {name: balls[names.get(name, name)].T for name in HertzNumbers._fields}
+    side = np.where(balls["angle"].sum(axis=1) < 0, -1.0, 1.0)
+    contacts = RaceContacts(
+        load=balls["load"].T, contact_angle=side * balls["angle"].T, contact=HertzContact(**contact)
     )
+    return Raceways(bearing=bearing, contacts=contacts, friction=friction, inner_speed=inner_speed)
 
 
 def ring_raceways(
     bearing: Bearing,
     contact_angle: ContactAngle,
     operation: Operation,
-    effects: LoadEffects,
     *,
     friction: tuple[float, float],
+    inertia: Inertia = WHOLE_INERTIA,
 ) -> Raceways:
     """Races under balls that differ over a turn, by `ring_equilibrium`; its errors.
 
@@ -622,25 +608,18 @@ def ring_raceways(
         moment_y=moment * np.cos(ahead),
         tilts=None if np.isnan(tilt) else (tilt * np.sin(ahead), tilt * np.cos(ahead)),
         inner_speed=speed,
-        turning=RuledTurning(
-            bearing=bearing,
-            inner_speed=np.full(turns, speed),
-            centrifugal=effects.centrifugal,
-            gyroscopic=effects.gyroscopic,
-        ),
+        inertia=inertia,
     )
-
-    def over_turn(inner: Array, outer: Array) -> Array:
-        return np.stack([inner.T.ravel(), outer.T.ravel()])
-
+    balls = ring.balls.T.ravel()  # over a turn
+    load = np.ascontiguousarray(balls["load"].T)
+    units = [balls[f"{race}_unit"] for race in RACES]
+    unit = HertzContact(**{name: np.stack([each[name] for each in units]) for name in HertzNumbers._fields})
     return Raceways(
         bearing=bearing,
         contacts=RaceContacts(
-            load=over_turn(ring.inner_load, ring.outer_load),
-            contact_angle=over_turn(ring.inner_angle, ring.outer_angle),
-            contact=HertzContact(
-                **{name: over_turn(getattr(ring.inner, name), getattr(ring.outer, name)) for name in vars(ring.inner)}
-            ),
+            load=load,
+            contact_angle=np.ascontiguousarray(balls["angle"].T),
+            contact=loaded_contact(unit, load=load),
         ),
         friction=friction,
         inner_speed=speed,

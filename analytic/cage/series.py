@@ -7,7 +7,8 @@ import numpy as np
 
 from analytic.brief import Brief
 from analytic.cage.motion import CageMotion
-from analytic.errors import require_packages, require_positive
+from analytic.errors import require_positive
+from analytic.labelled import Column, Labelled, dataset_of
 from analytic.scene import Array
 
 AXES = ("x", "y", "z")  # of the fixed frame; z is the bearing's axis
@@ -30,38 +31,31 @@ class CageSeries(Brief):
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset with units and meanings as attributes. Raises MissingPackageError without xarray."""
-        require_packages("a dataset", "xarray")
-        import xarray  # takes a second to import
-
-        described: dict[str, tuple[tuple[str, ...], str, str]] = {
-            "ball_angle": (("time",), "rad", "angle through which the balls have gone round the bearing"),
-            "centre": (("time", "direction"), "m", "place of the cage's centre, from the centre of the bearing"),
-            "velocity": (("time", "direction"), "m/s", "velocity of the cage's centre"),
-            "axis": (("time", "direction"), "1", "axis of the cage, of length 1: it tilts"),
-            "angular_velocity": (("time", "direction"), "rad/s", "angular velocity of the cage"),
-            "offset": (
-                ("time", "ball", "direction"),
-                "m",
-                "place of each ball's centre, from the centre of its pocket",
-            ),
-            "force": (("time", "ball", "direction"), "N", "force of each ball on the cage, normal force and friction"),
-            "slip_power": (("time",), "W", "power of friction in the pockets, mean since the previous instant"),
-            "max_force": (("time",), "N", "largest normal force of one contact since the previous instant"),
+        rows, each, balls = ("time",), ("time", "direction"), ("time", "ball", "direction")
+        fixed = "fixed frame; z is the bearing's axis"
+        described = {
+            "ball_angle": (rows, "rad", "angle through which the balls have gone round the bearing"),
+            "centre": (each, "m", "place of the cage's centre, from the centre of the bearing"),
+            "velocity": (each, "m/s", "velocity of the cage's centre"),
+            "axis": (each, "1", "axis of the cage, of length 1: it tilts"),
+            "angular_velocity": (each, "rad/s", "angular velocity of the cage"),
+            "offset": (balls, "m", "place of each ball's centre, from the centre of its pocket"),
+            "force": (balls, "N", "force of each ball on the cage, normal force and friction"),
+            "slip_power": (rows, "W", "power of friction in the pockets, mean since the previous instant"),
+            "max_force": (rows, "N", "largest normal force of one contact since the previous instant"),
         }
-        return xarray.Dataset(
+        numbers = np.arange(self.force.shape[1])
+        return dataset_of(
             {
-                name: (dimensions, getattr(self, name), {"units": unit, "long_name": meaning})
+                name: Labelled(dimensions, getattr(self, name), Column(unit, meaning))
                 for name, (dimensions, unit, meaning) in described.items()
             },
-            coords={
-                "time": (("time",), self.time, {"units": "s", "long_name": "time since the beginning"}),
-                "direction": ("direction", list(AXES), {"long_name": "fixed frame; z is the bearing's axis"}),
-                "ball": (
-                    "ball",
-                    np.arange(self.force.shape[1]),
-                    {"long_name": "ball i begins at azimuth 2 pi i/Z"},
-                ),
+            coordinates={
+                "time": Labelled(rows, self.time, Column("s", "time since the beginning")),
+                "direction": Labelled(("direction",), list(AXES), Column("", fixed)),
+                "ball": Labelled(("ball",), numbers, Column("", "ball i begins at azimuth 2 pi i/Z")),
             },
+            attributes={},
         )
 
 

@@ -20,9 +20,6 @@ from analytic.cage.pocket import impact
 from analytic.contact.hertz import elliptic_integrals
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled
-from analytic.numerics.elements import mapped
-from analytic.numerics.machine_code import entry
-from analytic.numerics.records import dtype_of
 from analytic.scene import STANDARD_GRAVITY, Array, PocketAxis
 from analytic.words import length_of
 
@@ -202,7 +199,7 @@ class DrivenCage:
         if not self.impact_speed > 0:
             return np.inf
         mass = self.mass / max(self.ball_count, 3)  # a single ball far from the centre meets a third of the mass
-        return float(impact(mass=mass, speed=self.impact_speed, stiffness=self.stiffness).duration)
+        return impact(mass=mass, speed=self.impact_speed, stiffness=self.stiffness).duration
 
 
 def lead_room(*, half_clearance: float, centre_offset: float, land_half_clearance: float = np.inf) -> float:
@@ -248,7 +245,12 @@ def whirl_number(
 
 @compiled
 def hanging_torque(mu: float, weight: float, surface_rate: float, contact_angle: float) -> float:
-    """The formula of `rest_torque`; weight : m g, N;  surface_rate : r w_b/w, m."""
+    """T = mu m g r (w_b/w) (2/pi) E(sin^2 al)/sqrt(1 + mu^2), N m: a cage that hangs on its balls.
+
+    mu : of ball on pocket;  weight : m g, across the axis, N;  surface_rate : r w_b/w, m;  contact_angle : al, rad
+    The cage hangs off the vertical by atan(mu), where normal forces and friction together carry it. A ball at the angle
+    phi from there slides with w_b r sqrt(1 - sin^2(al) sin^2(phi)); the mean is a complete elliptic integral.
+    """
     square = np.cos(contact_angle) ** 2
     integral, share = elliptic_integrals(square)  # K(m) and D/K at m = sin^2 al; E = K - m D
     slip = surface_rate * 2 / np.pi * integral * (1 - np.sin(contact_angle) ** 2 * share)
@@ -264,7 +266,7 @@ def braking_torque(
     drag : c, torque over speed, N m s;  cage_rate : w_c/w;  orbit_speed : w_c, rad/s;  pitch_radius : r_m, m, > 0
     ball_surface_speed : r w_b, m/s; all >= 0
     The normal forces of the balls add up to c w_c/r_m, and the balls slide under them with w_b r. Added to
-    `rest_torque` this is an upper bound, as the same normal forces may both carry and push the cage.
+    `hanging_torque` this is an upper bound, as the same normal forces may both carry and push the cage.
     """
     return drag * cage_rate * (orbit_speed + mu * ball_surface_speed / pitch_radius)
 
@@ -308,42 +310,6 @@ def resting_torque(cage: RestingCage, balls: DrivingBalls, mu: float, ring_speed
         torque = hanging_torque(mu, weight, surface_rate, balls.contact_angle)
     braking = braking_torque(cage.drag, mu, balls.orbit_rate, orbit_speed, surface_speed, cage.pitch_radius)
     return torque + braking, force + cage.drag * orbit_speed / cage.pitch_radius
-
-
-@entry(lambda: {"cage": dtype_of(RestingCage), "given": 2, "found": 2})
-def put_resting_torques(cage: RestingCage, given: Array, found: Array) -> None:
-    """Write (2, n) of `resting_torque`; given : (5, n) of `DrivingBalls`, mu and the ring's speed, rad/s"""
-    for i in range(given.shape[1]):
-        balls = DrivingBalls(given[0, i], given[1, i], given[2, i])
-        found[0, i], found[1, i] = resting_torque(cage, balls, given[3, i], given[4, i])
-
-
-def rest_torque(
-    *,
-    friction_coefficient: ArrayLike,
-    cage_mass: ArrayLike,
-    ball_rate: ArrayLike,
-    ball_radius: ArrayLike,
-    contact_angle: ArrayLike,
-    gravity: ArrayLike = STANDARD_GRAVITY,
-) -> Array:
-    """T = mu m g r (w_b/w) (2/pi) E(sin^2 al)/sqrt(1 + mu^2), N m: a cage that hangs on its balls; all broadcast.
-
-    friction_coefficient : mu;  cage_mass : m, kg;  ball_rate : w_b/w;  ball_radius : r, m;  contact_angle : al, rad
-    gravity : g, across the axis, m/s^2; all >= 0
-    The cage hangs off the vertical by atan(mu), where normal forces and friction together carry it. A ball at the angle
-    phi from there slides with w_b r sqrt(1 - sin^2(al) sin^2(phi)); the mean is a complete elliptic integral.
-    """
-    require_non_negative(
-        friction_coefficient=friction_coefficient,
-        cage_mass=cage_mass,
-        ball_rate=ball_rate,
-        ball_radius=ball_radius,
-        contact_angle=contact_angle,
-        gravity=gravity,
-    )
-    weight, rate = np.asarray(cage_mass) * np.asarray(gravity), np.asarray(ball_rate) * np.asarray(ball_radius)
-    return mapped(hanging_torque, friction_coefficient, weight, rate, contact_angle)
 
 
 def whirl_speed(

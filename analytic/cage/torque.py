@@ -29,15 +29,15 @@ from analytic.cage.raceways import Raceways
 from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.steady import (
     DrivenCage,
+    DrivingBalls,
     LandGuidance,
-    put_resting_torques,
     resting_load,
+    resting_torque,
     sliding_torque,
     whirl_number,
 )
 from analytic.contact.geometry import known_half_widths
-from analytic.numerics.elements import rows_of
-from analytic.numerics.records import record_of
+from analytic.numerics.elements import mapped
 from analytic.rows import Two
 from analytic.scene import Array, Bearing, Cage, Scene
 from analytic.words import length_of, percent_of, speed_of, torque_of
@@ -300,11 +300,13 @@ def _sliding_balls(drive: CageDrive, point: int, used: float) -> str:
 
 def _by_closed_form(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Array]:
     """Torque, N m, and sum of the normal forces, N, of a cage at rest, or squeezed by balls that lead too far."""
+    cage = resting_cage(drive.bearing, drive.cage)
+
+    def at_rest(orbit_rate: float, ball_rate: float, contact_angle: float, mu: float, speed: float) -> Two:
+        return resting_torque(cage, DrivingBalls(orbit_rate, ball_rate, contact_angle), mu, speed)
+
     driving = drive.orbit_rate, drive.ball_rate, drive.contact_angle
-    given, shape = rows_of(*driving, friction_coefficient, drive.inner_speed)
-    found = np.empty((2, given.shape[1]))
-    put_resting_torques(record_of(resting_cage(drive.bearing, drive.cage)), given, found)
-    torque, force = found.reshape(2, *shape)
+    torque, force = mapped(at_rest, *driving, friction_coefficient, drive.inner_speed)
     squeezed, squeezing = _by_squeezing(drive, friction_coefficient)
     return torque + squeezed, force + squeezing
 

@@ -4,9 +4,9 @@ The factors come from a finite-element solution, where they are the same for eve
 `analytic.contact.finite_geometry`, which gives each load its own.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -99,16 +99,3 @@ def factor_fields(factors: ContactFactors) -> tuple[float | Array, ...]:
     """The factors in the order of `FactorNumbers`."""
     values = vars(factors) | {"peak_pressure": np.nan if factors.peak_pressure is None else factors.peak_pressure}
     return tuple(values[name] for name in FactorNumbers._fields)
-
-
-def correction_fields(correction: ContactCorrection) -> tuple[float | Array, ...]:
-    """The factors of the inner and of the outer race, for the rows of `correction_of`."""
-    return factor_fields(correction.inner) + factor_fields(correction.outer)
-
-
-@compiled
-def correction_of(row: Sequence[Any] | Array) -> CorrectionNumbers:
-    """The factors of both races from the eight numbers of a row."""
-    return CorrectionNumbers(
-        FactorNumbers(row[0], row[1], row[2], row[3]), FactorNumbers(row[4], row[5], row[6], row[7])
-    )

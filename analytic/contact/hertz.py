@@ -40,21 +40,6 @@ class HertzContact(Brief):
     approach: Array  # delta, of two points far inside the bodies, m
     stiffness: Array  # K = load / approach^1.5, N/m^1.5; finite at zero load too
 
-    def reshape(self, shape: tuple[int, ...]) -> "HertzContact":
-        """The same contacts with fields of another shape.
-
-        Parameters
-        ----------
-        shape : tuple of int
-            With the same number of elements.
-
-        Returns
-        -------
-        HertzContact
-            Fields of that shape.
-        """
-        return HertzContact(**{name: field.reshape(shape) for name, field in vars(self).items()})
-
 
 class HertzNumbers(NamedTuple):
     """One `HertzContact` in numbers, for compiled formulas."""

@@ -17,15 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
-from analytic.contact.hertz import loaded_contact
 from analytic.errors import InputError, require_positive
-from analytic.loads.balls import LoadEffects, balls_between
-from analytic.loads.finite_geometry import corrections_of, thrust_correction
+from analytic.loads.finite_geometry import corrections_of
 from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring_balance import LEAST_BALLS, Row, require_enough_balls
-from analytic.loads.ring_series import RingsAtRest, RowsOfBalls, settled_rings
+from analytic.loads.ring_series import RowsOfBalls, SettledRings, settled_rings
+from analytic.loads.state import approaches
 from analytic.loads.thrust import thrust_equilibrium
-from analytic.loads.turning import RuledTurning
+from analytic.loads.turning import WHOLE_INERTIA, Inertia
 from analytic.scene import Arrangement, Array, Bearing, ContactAngle, Operation
 
 # Load of a ball on the inner race over that on the outer one, below which it hangs in the outer race by its centrifugal
@@ -57,7 +56,8 @@ class PairEquilibrium:
 class PairContacts:
     """How the contacts of a pair are computed."""
 
-    effects: LoadEffects
+    load_distribution: bool = True  # whether radial load and moment count
+    inertia: Inertia = WHOLE_INERTIA
     finite_geometry: bool = True  # whether Hertz's contacts are corrected for the finite geometry, at their loads
     correction: ContactCorrection | None = None  # factors, one for all balls and points, in its place
 
@@ -82,7 +82,7 @@ def pair_equilibrium(
     if distance is None:
         raise InputError("arrangement.distance is missing: give it, or bearing.width, which it is by default")
     require_positive(**{"arrangement.distance": distance})
-    distributed = contacts.effects.load_distribution and not operation.is_thrust
+    distributed = contacts.load_distribution and not operation.is_thrust
     if distributed:
         require_enough_balls(bearing)
     pair = _Pair(bearing, contact_angle, arrangement, contacts, distance)
@@ -98,15 +98,14 @@ def pair_equilibrium(
         load[:, 4] = np.asarray(operation.moment) / pair.arm
     state = pair.settled(load, operation.inner_speed)
     axial, radial, moment = pair.loads(state)
-    rows = (count, 2, bearing.ball_count)
-    inner, outer = (each.reshape(rows).max(axis=-1).T for each in (state.inner_load, state.outer_load))
+    inner, outer = np.moveaxis(pair.by_row(state.balls["load"]).max(axis=2), -1, 0)
     return PairEquilibrium(
         preload=preload,
         offset=pair.closed,
         distance=distance,
-        displacement=state.place[:, 0],
-        tilt=state.place[:, 4] / pair.arm,
-        stiffness=_axial_stiffness(state, alone=bearing.ball_count < LEAST_BALLS),
+        displacement=state.rings["place"][:, 0],
+        tilt=state.rings["place"][:, 4] / pair.arm,
+        stiffness=_axial_stiffness(state.rings["tangent"], alone=bearing.ball_count < LEAST_BALLS),
         axial_load=axial,
         radial_load=radial if distributed else np.zeros_like(radial),
         moment=moment if distributed else np.zeros_like(moment),
@@ -148,30 +147,35 @@ class _Pair:
         self.rows = (Row(position=first, offset=each), second)
         self.ring = self._ring(ContactCorrection(), np.zeros(1))  # for its geometry
 
-    def settled(self, load: Array, speed: Array) -> RingsAtRest:
+    def settled(self, load: Array, speed: Array) -> SettledRings:
         """The shaft under loads (n, 5), N, at speeds (n,), rad/s; with contacts corrected at the loads by Hertz."""
         factors = self.contacts.correction or ContactCorrection()
         state = self._with(factors, load, speed, place=None)
         if self.contacts.correction is None and self.contacts.finite_geometry:
-            state = self._with(self._correction(state, speed), load, speed, place=state.place)
+            corrected = corrections_of(self.bearing, state.balls).correction
+            state = self._with(corrected, load, speed, place=state.rings["place"])
         return state
 
-    def loads(self, state: RingsAtRest) -> Sequence[Array]:
-        """Axial load, radial load and moment of each bearing in its own frame, each (2, n)."""
-        radial, axial = np.moveaxis(state.force.reshape(len(state.force), 2, self.bearing.ball_count, 2), -1, 0)
-        cosine = np.cos(2 * np.pi * np.arange(self.bearing.ball_count) / self.bearing.ball_count)
-        return axial.sum(axis=-1).T, (radial @ cosine).T, -self.arm * (axial @ cosine).T
+    def by_row(self, of_balls: Array) -> Array:
+        """(2, n, Z, ...) of each bearing from (n, 2 Z, ...)."""
+        rows = of_balls.reshape(len(of_balls), 2, self.bearing.ball_count, *of_balls.shape[2:])
+        return np.moveaxis(rows, 1, 0)
 
-    def is_relieved(self, state: RingsAtRest) -> NDArray[np.bool_]:
+    def loads(self, state: SettledRings) -> Sequence[Array]:
+        """Axial load, radial load and moment of each bearing in its own frame, each (2, n)."""
+        radial, axial = np.moveaxis(self.by_row(state.balls["force"] + state.balls["friction"]), -1, 0)
+        cosine = np.cos(2 * np.pi * np.arange(self.bearing.ball_count) / self.bearing.ball_count)
+        return axial.sum(axis=-1), radial @ cosine, -self.arm * (axial @ cosine)
+
+    def is_relieved(self, state: SettledRings) -> NDArray[np.bool_]:
         """(2, n) whether no ball of a bearing would touch both grooves without forces of its own."""
-        radial, axial = self.ring.displaced(state.place)
+        radial, axial = self.ring.displaced(state.rings["place"])
         distance = self.bearing.groove_centre_distance
         # |V| <= A0, without the difference of large numbers
         beyond = radial - self.play
-        stretched = beyond * (2 * distance + beyond) + axial**2
-        return stretched.reshape(len(stretched), 2, -1).max(axis=-1).T <= 0
+        return self.by_row(beyond * (2 * distance + beyond) + axial**2).max(axis=-1) <= 0
 
-    def _with(self, factors: ContactCorrection, load: Array, speed: Array, *, place: Array | None) -> RingsAtRest:
+    def _with(self, factors: ContactCorrection, load: Array, speed: Array, *, place: Array | None) -> SettledRings:
         ring = self._ring(factors, speed)
         if place is None and self.rows[0].offset > 0:
             place = np.zeros_like(load)
@@ -182,53 +186,32 @@ class _Pair:
             bearing=self.bearing,
             play=self.play,
             correction=factors,
-            turning=self._turning(speed),
             speed=speed,
+            inertia=self.contacts.inertia,
             rows=self.rows,
         )
-
-    def _turning(self, speed: Array) -> RuledTurning:
-        effects = self.contacts.effects
-        return RuledTurning(
-            bearing=self.bearing,
-            inner_speed=speed,
-            centrifugal=effects.centrifugal,
-            gyroscopic=effects.gyroscopic,
-        )
-
-    def _correction(self, state: RingsAtRest, speed: Array) -> ContactCorrection:
-        loaded = balls_between(
-            self.bearing,
-            method="ring",
-            load=np.stack([state.inner_load, state.outer_load]),
-            angle=np.stack([state.inner_angle, state.outer_angle]),
-            contacts=(
-                loaded_contact(state.inner, load=state.inner_load),
-                loaded_contact(state.outer, load=state.outer_load),
-            ),
-            motion=self._turning(speed).motion(state.inner_angle, state.outer_angle),
-        )
-        return corrections_of(self.bearing, loaded).correction
 
 
 def _displacement(bearing: Bearing, contact_angle: ContactAngle, preload: float, contacts: PairContacts) -> float:
     """Of one inner ring along its axis under a thrust at rest, from grooves in line, m."""
     thrust, factors = np.array([preload]), contacts.correction
     if factors is None and contacts.finite_geometry:
-        factors = thrust_correction(bearing, contact_angle, axial_load=thrust).correction
+        by_hertz = thrust_equilibrium(bearing, contact_angle, axial_load=thrust)
+        factors = corrections_of(bearing, by_hertz).correction
     balls = thrust_equilibrium(bearing, contact_angle, axial_load=thrust, correction=factors)
-    return float((bearing.groove_centre_distance + balls.approach[0]) * np.sin(balls.contact_angle[0]))
+    stretched = bearing.groove_centre_distance + approaches(balls).sum(axis=-1)
+    return float((stretched * np.sin(balls["angle"][:, 0]))[0])
 
 
-def _axial_stiffness(state: RingsAtRest, *, alone: bool) -> Array:
-    """(n,) N/m; alone : whether the balls hold the shaft along its axis alone
+def _axial_stiffness(tangent: Array, *, alone: bool) -> Array:
+    """(n,) N/m; tangent : (n, 5, 5);  alone : whether the balls hold the shaft along its axis alone
 
     A few loaded balls may leave the shaft free across the load: a stiffness of round-off holds it there.
     """
     if alone:
-        return state.tangent[:, 0, 0]
-    along = np.zeros((len(state.place), 5, 1))
+        return tangent[:, 0, 0]
+    along = np.zeros((len(tangent), 5, 1))
     along[:, 0] = 1.0
-    stiffest = np.abs(state.tangent).max(axis=(1, 2))
-    held = state.tangent + (ROUND_OFF * stiffest)[:, None, None] * np.eye(5)
+    stiffest = np.abs(tangent).max(axis=(1, 2))
+    held = tangent + (ROUND_OFF * stiffest)[:, None, None] * np.eye(5)
     return 1 / np.linalg.solve(held, along)[:, 0, 0]

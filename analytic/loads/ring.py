@@ -19,12 +19,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection
-from analytic.contact.hertz import HertzContact, loaded_contact
 from analytic.errors import InputError, require_finite, require_positive
 from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring_balance import require_enough_balls
 from analytic.loads.ring_series import RowsOfBalls, settled_rings
-from analytic.loads.turning import RuledTurning
+from analytic.loads.turning import WHOLE_INERTIA, Inertia
+from analytic.numerics.records import Records
 from analytic.scene import Array, Bearing, ContactAngle
 
 
@@ -32,19 +32,11 @@ from analytic.scene import Array, Bearing, ContactAngle
 class RingEquilibrium(Brief):
     """Balls and ring under load; (...) is the broadcast shape of the loads and the speed, Z the number of balls."""
 
-    free_angle: float | None  # al0, rad; None for a preloaded bearing
     azimuth: Array  # (Z,) psi, rad
     moment: Array  # (..., 2) about x and y, N m: given, or what holds the ring at its tilts
     displacement: Array  # (..., 5) axial, x, y, m; tilt about x, about y, rad; from concentric rings, grooves in line
     stiffness: Array  # (..., 5, 5) dF/d displacement with each contact's K held, N/m, N, N m
-    inner_load: Array  # (..., Z) Q_i, N
-    outer_load: Array  # (..., Z) Q_o, N
-    inner_angle: Array  # (..., Z) al_i, rad, negative where the ball is pressed towards -z
-    outer_angle: Array  # (..., Z) al_o, rad
-    inner: HertzContact  # (..., Z)
-    outer: HertzContact  # (..., Z)
-    centrifugal_force: Array  # (..., Z) F_c, N
-    gyroscopic_moment: Array  # (..., Z) M_g, N m, with the sign of the contact angle
+    balls: Records  # (..., Z) of `state.BALL_STATE`: loads, N, and angles, rad, negative towards -z; forces, contacts
     residual: Array  # (...) largest unbalanced force, or moment over R, N
     iterations: NDArray[np.intp]  # (...) Newton steps
 
@@ -60,7 +52,7 @@ def ring_equilibrium(
     moment_y: ArrayLike = 0.0,
     tilts: tuple[ArrayLike, ArrayLike] | None = None,
     inner_speed: ArrayLike = 0.0,
-    turning: RuledTurning | None = None,
+    inertia: Inertia = WHOLE_INERTIA,
     ball_weight: tuple[float, float, float] = (0.0, 0.0, 0.0),
     correction: ContactCorrection | None = None,
 ) -> RingEquilibrium:
@@ -80,9 +72,8 @@ def ring_equilibrium(
         About x and y, rad, at which the ring is held, without moments; None: it tilts freely.
     inner_speed : array_like
         rad/s, any sign.
-    turning : RuledTurning, optional
-        What acts on the balls because they turn, for the points in their flat order; None: centrifugal force and
-        gyroscopic moment.
+    inertia : Inertia
+        What counts of the balls' inertia, by closed kinematics.
     ball_weight : tuple of 3 floats
         Of each ball along x, y and z, N; the cage carries its part along the orbit.
     correction : ContactCorrection, optional
@@ -111,8 +102,8 @@ def ring_equilibrium(
 
     and the load is the sum of the ball forces. K of a contact is Hertz's at its own angle, and its force acts along the
     normal. The work of a K that changes with the angle, (2/5)(delta/A0) d ln K/d al of the force, is left out.
-    Centrifugal force F_c and friction across the grooves F_t come from `turning`, with loads and angles of the last
-    round; by closed kinematics (`analytic.loads.turning`) at the cage speed w_m, the ball speed w_b and the pitch B ::
+    Centrifugal force F_c and friction across the grooves F_t (`analytic.loads.turning`) follow from loads and angles of
+    the last round, at the cage speed w_m, the ball speed w_b and the pitch B ::
 
         F_c = m (d_m/2) w_m^2,  M_g = (m D^2/10) w_b w_m sin B
 
@@ -134,10 +125,8 @@ def ring_equilibrium(
     arrays = np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given.values()))
     shape, (axial, x, y, about_x, about_y, speed, *held) = arrays[0].shape, (array.ravel() for array in arrays)
     factors = (correction or ContactCorrection()).mapped(lambda array: array.reshape(-1, bearing.ball_count))
-    if turning is None:
-        turning = RuledTurning(bearing=bearing, inner_speed=speed, centrifugal=True, gyroscopic=True)
     ring = RowsOfBalls(
-        bearing=bearing, play=play, correction=factors, turning=turning, speed=speed, ball_weight=ball_weight
+        bearing=bearing, play=play, correction=factors, speed=speed, inertia=inertia, ball_weight=ball_weight
     )
     arm = ring.travel.arm
     load = np.stack([axial, x, y, about_x / arm, about_y / arm], axis=-1)
@@ -145,23 +134,14 @@ def ring_equilibrium(
         raise InputError("tilts hold the ring, and a moment tilts it: leave one of them out")
     if np.any(load[:, 1:]) or np.any(held):
         require_enough_balls(bearing)
-    state = settled_rings(ring, load, angle=free or 0.0, tilts=arm * np.stack(held, axis=-1) if held else None)
-    unit = np.array([1.0, 1.0, 1.0, arm, arm])
-    each, whole = (*shape, bearing.ball_count), (*shape, 5)
+    found = settled_rings(ring, load, angle=free or 0.0, tilts=arm * np.stack(held, axis=-1) if held else None)
+    unit, rings = np.array([1.0, 1.0, 1.0, arm, arm]), found.rings
     return RingEquilibrium(
-        free_angle=free,
         azimuth=ring.travel.azimuth,
-        moment=(state.load[:, 3:] * arm).reshape(*shape, 2),
-        displacement=(state.place / unit).reshape(whole),
-        stiffness=(state.tangent * np.outer(unit, unit)).reshape(*whole, 5),
-        inner_load=state.inner_load.reshape(each),
-        outer_load=state.outer_load.reshape(each),
-        inner_angle=state.inner_angle.reshape(each),
-        outer_angle=state.outer_angle.reshape(each),
-        inner=loaded_contact(state.inner, load=state.inner_load).reshape(each),
-        outer=loaded_contact(state.outer, load=state.outer_load).reshape(each),
-        centrifugal_force=state.centrifugal_force.reshape(each),
-        gyroscopic_moment=state.gyroscopic_moment.reshape(each),
-        residual=state.residual.reshape(shape),
-        iterations=state.steps.reshape(shape),
+        moment=(rings["load"][:, 3:] * arm).reshape(*shape, 2),
+        displacement=(rings["place"] / unit).reshape(*shape, 5),
+        stiffness=(rings["tangent"] * np.outer(unit, unit)).reshape(*shape, 5, 5),
+        balls=found.balls.reshape(*shape, bearing.ball_count),
+        residual=found.ends["left"].reshape(shape),
+        iterations=found.ends["steps"].reshape(shape),
     )

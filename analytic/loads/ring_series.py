@@ -2,12 +2,11 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from analytic.contact.factors import ContactCorrection, FactorNumbers, factor_fields
-from analytic.contact.hertz import HertzContact, HertzNumbers
+from analytic.contact.factors import ContactCorrection
 from analytic.errors import ConvergenceError, InputError
 from analytic.loads.ball_balance import Grooves, grooves_of
 from analytic.loads.numbers import bearing_numbers
@@ -26,8 +25,8 @@ from analytic.loads.ring_rounds import (
     beyond_groove,
     settle_ruled_rings,
 )
-from analytic.loads.state import RING_STATE, TILTS
-from analytic.loads.turning import RuledTurning
+from analytic.loads.state import RING_STATE, TILTS, correct_balls, factors_of
+from analytic.loads.turning import WHOLE_INERTIA, Inertia
 from analytic.numerics.newton import MOST_STEPS
 from analytic.numerics.records import Record, Records, as_record, record_of
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle
@@ -56,8 +55,8 @@ class RowsOfBalls:
     bearing: Bearing
     play: float  # m, as Grooves has it
     correction: ContactCorrection  # numbers, or (n, Z) for the balls of all rows
-    turning: RuledTurning
     speed: Array  # (n,) of the inner part, rad/s
+    inertia: Inertia = WHOLE_INERTIA
     ball_weight: Weight = (0.0, 0.0, 0.0)  # of each ball along x, y and z of the shaft, N
     rows: tuple[Row, ...] = (Row(),)
 
@@ -94,29 +93,17 @@ def _known(number: float) -> float:
     return 0.0 if np.isnan(number) else number
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class RingsAtRest:
+class SettledRings(NamedTuple):
     """n rings in equilibrium, with Z balls in all rows."""
 
-    load: Array  # (n, 5) that balances the balls, N, moments over R: given, or what holds the tilts
-    place: Array  # (n, 5) m, tilts times R
-    tangent: Array  # (n, 5, 5) N/m
-    residual: Array  # (n,) largest unbalanced force, N
-    steps: NDArray[np.int64]  # (n,) of Newton's method
-    force: Array  # (n, Z, 2) of each ball on the inner groove, by contact and friction, N
-    inner_load: Array  # (n, Z) N
-    outer_load: Array
-    inner_angle: Array  # (n, Z) rad
-    outer_angle: Array
-    inner: HertzContact  # (n, Z) under 1 N
-    outer: HertzContact
-    centrifugal_force: Array  # (n, Z) N
-    gyroscopic_moment: Array  # (n, Z) N m
+    rings: Records  # (n,) of `state.RING_STATE`; the load of freedoms that are held is what holds them
+    balls: Records  # (n, Z) of `state.BALL_STATE`
+    ends: Records  # (n,) of `ring_rounds.ROUND`
 
 
 def settled_rings(
     ring: RowsOfBalls, load: Array, *, angle: float, place: Array | None = None, tilts: Array | None = None
-) -> RingsAtRest:
+) -> SettledRings:
     """The rings at rest under loads (n, 5), N (moments over R).
 
     angle : near which the contact angles are, rad;  place : (n, 5) to begin at, where balls touch; None: by the load
@@ -124,7 +111,7 @@ def settled_rings(
     Raises ConvergenceError where a ball, a ring or the rounds do not settle, and InputError where a ball leaves its
     groove (an angle beyond pi/2).
     """
-    turning, count = ring.turning, len(load)
+    count = len(load)
     numbers = record_of(RingNumbers(bearing_numbers(ring.bearing), ring.grooves, float(angle)))
     rings = np.zeros(count, RING_STATE)
     rings["load"], rings["place"] = load, 0.0 if place is None else place
@@ -132,37 +119,15 @@ def settled_rings(
         rings["held"], rings["place"][:, -TILTS:] = TILTS, tilts
     balls = np.repeat(placed_balls(ring.bearing, ring.rows, ring.ball_weight)[None], count, axis=0)
     correct_balls(balls, factors_of(ring.correction))
-    ends, inertia = np.zeros(count, ROUND), (bool(turning.centrifugal), bool(turning.gyroscopic))
-    speed, start = np.array(turning.inner_speed, dtype=np.float64), BY_LOAD if place is None else BY_PLACE
-    settle_ruled_rings(numbers, speed, inertia, rings, balls, ends, start)
+    ends, start = np.zeros(count, ROUND), BY_LOAD if place is None else BY_PLACE
+    settle_ruled_rings(numbers, np.array(ring.speed, dtype=np.float64), ring.inertia, rings, balls, ends, start)
     if ends["end"].any():
         worst = int(np.argmax(ends["end"]))
-        raise unsettled_ring(ring.bearing, ring.grooves, float(speed[worst]), rings[worst], balls[worst], ends[worst])
+        speed = float(ring.speed[worst])
+        raise unsettled_ring(ring.bearing, ring.grooves, speed, rings[worst], balls[worst], ends[worst])
     if tilts is not None:
         rings["load"][:, -TILTS:] = rings["gradient"][:, -TILTS:]
-    return RingsAtRest(
-        load=rings["load"],
-        place=rings["place"],
-        tangent=rings["tangent"],
-        residual=ends["left"],
-        steps=ends["steps"],
-        force=balls["force"] + balls["friction"],
-        inner_load=balls["load"][..., 0],
-        outer_load=balls["load"][..., 1],
-        inner_angle=balls["angle"][..., 0],
-        outer_angle=balls["angle"][..., 1],
-        inner=HertzContact(**{name: balls["inner_unit"][name] for name in HertzNumbers._fields}),
-        outer=HertzContact(**{name: balls["outer_unit"][name] for name in HertzNumbers._fields}),
-        centrifugal_force=balls["turning"]["centrifugal"],
-        gyroscopic_moment=balls["turning"]["gyroscopic"],
-    )
-
-
-def correct_balls(balls: Records, factors: Array) -> None:
-    """Write the factors on Hertz's contacts; balls : (n, Z);  factors : (n or 1, 2, 4, Z or 1)"""
-    for race, side in enumerate(("inner_factors", "outer_factors")):
-        for place, name in enumerate(FactorNumbers._fields):
-            balls[side][name] = factors[:, race, place]
+    return SettledRings(rings, balls, ends)
 
 
 def unsettled_ring(
@@ -206,14 +171,6 @@ def _left_groove(bearing: Bearing, load: Array, weight: float, speed: float, bey
         f"the speed, {speed_of(speed)}, moves a ball {angle_of(beyond.angle)} out of its groove, past 90 deg, without "
         "contact: lower the speed"
     )
-
-
-def factors_of(correction: ContactCorrection) -> Array:
-    """(n, 2, 4, Z) with axes of 1 where all points or all balls have the same factors; one of (n,) is of all balls."""
-    given = [np.asarray(value) for side in (correction.inner, correction.outer) for value in factor_fields(side)]
-    each = (value if value.ndim > 1 else value.reshape(-1, 1) for value in given)
-    together = np.stack(np.broadcast_arrays(*each), axis=1)
-    return np.array(together.reshape(len(together), 2, 4, -1), dtype=np.float64)
 
 
 def _load_words(load: Array, bearing: Bearing) -> str:

@@ -6,11 +6,12 @@ race, or are a radial and an axial component, as their comments say. Rates are p
 
 import numpy as np
 
-from analytic.contact.factors import FactorNumbers
+from analytic.contact.factors import ContactCorrection, FactorNumbers, factor_fields
 from analytic.contact.hertz import HertzNumbers
 from analytic.loads.kinematics import BallMotion
 from analytic.loads.turning import ForcesOfTurning
 from analytic.numerics.records import Record, Records, dtype_of
+from analytic.scene import Array
 
 FREEDOMS = 5  # of a ring: along z, x and y, tilts about x and y
 TILTS = 2  # of these
@@ -89,3 +90,24 @@ def ball_states(count: int) -> Records:
             balls[side][name] = np.nan if name == "peak_pressure" else 1.0
     balls["start_load"] = 1.0
     return balls
+
+
+def factors_of(correction: ContactCorrection) -> Array:
+    """(n, 2, 4, Z) with axes of 1 where all points or all balls have the same factors; one of (n,) is of all balls."""
+    given = [np.asarray(value) for side in (correction.inner, correction.outer) for value in factor_fields(side)]
+    each = (value if value.ndim > 1 else value.reshape(-1, 1) for value in given)
+    together = np.stack(np.broadcast_arrays(*each), axis=1)
+    return np.array(together.reshape(len(together), 2, 4, -1), dtype=np.float64)
+
+
+def correct_balls(balls: Records, factors: Array) -> None:
+    """Write the factors on Hertz's contacts; balls : (n, Z);  factors : (n or 1, 2, 4, Z or 1)"""
+    for race, side in enumerate(("inner_factors", "outer_factors")):
+        for place, name in enumerate(FactorNumbers._fields):
+            balls[side][name] = factors[:, race, place]
+
+
+def approaches(balls: Records) -> Array:
+    """(..., 2) delta on both races under the balls' loads, m."""
+    unit = np.stack([balls["inner_unit"]["approach"], balls["outer_unit"]["approach"]], axis=-1)
+    return unit * np.cbrt(balls["load"]) ** 2

@@ -1,66 +1,33 @@
 """Pure thrust: every ball carries the same load at the same contact angle, at rest and at speed.
 
-Assumes rigid rings apart from the contacts, and no radial load or moment. At rest, or slow, both races have one load
-and one angle. At speed centrifugal force and gyroscopic moment make them differ: what `analytic.loads.ring` solves for
+Assumes rigid rings apart from the contacts, and no radial load or moment. At rest both races have one load and one
+angle. At speed centrifugal force and gyroscopic moment make them differ: what `analytic.loads.ring` solves for
 each ball under any load is here, with the same contacts, forces and share of the moment, one equation in one angle.
 Angles are measured from the radial plane; the axial load presses the inner ring along the axis.
 Source: [Harris2007] section 7 at rest; at speed [Jones1960] and [Harris2007b] section 3: the balance is that of the
 forces on the ball.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.brief import Brief
-from analytic.contact.factors import ContactCorrection, correction_fields, correction_of
-from analytic.contact.hertz import HertzContact, hertz_fields, loaded_hertz
+from analytic.contact.factors import ContactCorrection, CorrectionNumbers
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
-from analytic.loads.numbers import BearingNumbers, bearing_numbers
+from analytic.loads.numbers import bearing_numbers
+from analytic.loads.state import ball_states, correct_balls, factors_of
 from analytic.loads.thrust_ball import (
     LAST_STEP,
     MOST_ROUNDS,
     SETTLED,
-    ThrustPoint,
     first_contacts,
     frozen_point,
-    thrust_point,
+    put_ball,
+    settle_ruled_thrust,
 )
-from analytic.loads.turning import RuledTurning, TurningRule
-from analytic.numerics.elements import mapped
-from analytic.numerics.records import record_of
+from analytic.loads.turning import WHOLE_INERTIA, Inertia, TurningRule
+from analytic.numerics.records import Records, as_records, record_of
 from analytic.scene import Array, Bearing, ContactAngle
 from analytic.words import length_of
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ThrustEquilibrium(Brief):
-    """Every ball of a bearing under thrust; arrays have the shape (n,) of the axial load."""
-
-    free_angle: float | None  # al0, rad; None where there is none: rule "given", or preload
-    contact_angle: Array  # al, loaded, rad
-    ball_load: Array  # Q = Fa/(Z sin al), the same on both races, N
-    inner: HertzContact
-    outer: HertzContact
-
-    @property
-    def approach(self) -> Array:
-        """delta_i + delta_o, m."""
-        return self.inner.approach + self.outer.approach
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ThrustAtSpeed:
-    """Every ball of a bearing under thrust; arrays have the shape (n,) of load and speed."""
-
-    inner_load: Array  # Q_i, N
-    outer_load: Array  # Q_o, N
-    inner_angle: Array  # al_i, rad
-    outer_angle: Array  # al_o, rad, below al_i
-    inner: HertzContact
-    outer: HertzContact
 
 
 def thrust_equilibrium(
@@ -68,9 +35,11 @@ def thrust_equilibrium(
     contact_angle: ContactAngle,
     *,
     axial_load: ArrayLike,
+    inner_speed: ArrayLike = 0.0,
+    inertia: Inertia = WHOLE_INERTIA,
     correction: ContactCorrection | None = None,
-) -> ThrustEquilibrium:
-    """Loaded contact angle and ball load under pure thrust, by the scene's rule.
+) -> Records:
+    """Load and contact angles of every ball under pure thrust, by the scene's rule.
 
     Parameters
     ----------
@@ -78,43 +47,67 @@ def thrust_equilibrium(
         Rings and balls; its grooves must be wider than the ball.
     contact_angle : ContactAngle
         Rule `given` or `solved`; `free`, where given, replaces the unloaded angle of the clearance, rad.
-    axial_load : array_like, any shape
-        Fa, N, > 0.
+    axial_load : array_like
+        Fa, N, > 0; broadcasts with the speed to (...).
+    inner_speed : array_like
+        w, rad/s, any sign.
+    inertia : Inertia
+        What counts of the balls' inertia, by closed kinematics.
     correction : ContactCorrection, optional
-        Factors on Hertz's contacts, dimensionless, each a number or of the shape of axial_load; None: Hertz as it is.
+        Factors on Hertz's contacts, dimensionless, each a number or one for each point; None: Hertz as it is.
 
     Returns
     -------
-    ThrustEquilibrium
-        Angle, rad, load, N, and Hertz's contact on both races, of the shape of axial_load.
+    ndarray of `analytic.loads.state.BALL_STATE`, shape (...)
+        Of one ball: `load`, N, and `angle`, rad, on inner and outer race, and `inner_unit`, `outer_unit`, its contacts
+        under 1 N.
 
     Raises
     ------
     InputError
         A load is not positive, an angle is outside its range, the clearance is 2 A0 or more, or a groove is no wider
         than the ball. Whether the contact stays in the groove is not checked here: `race_contact` does.
+    ConvergenceError
+        The gyroscopic moment needs friction that no balance has.
 
     Notes
     -----
-    `given`: al = contact_angle.value, which is pi/2 in a thrust bearing. `solved`: al from ::
+    `given`: al = contact_angle.value, which is pi/2 in a thrust bearing. `solved`, at rest: al from ::
 
         Q = Fa/(Z sin al),  (A0 + delta_i(Q, al) + delta_o(Q, al)) cos al = A0 cos al0
 
     where A0 is the groove-centre distance and cos al0 = 1 - P_d/(2 A0), P_d the diametral clearance; P_d < 0 (preload)
     has no al0 and is solved in the same form. The left side falls as al grows from 0 to pi/2, so there is one root,
     bracketed in ln(tan al) at any load. Source: [Harris2007] section 7.
+
+    At speed load and friction across the groove of each race are a force Q/cos p at the angle b = al + p,
+    tan p = -F_t/Q. Along the axis and outward the ball is at rest where ::
+
+        Q_i sin b_i/cos p_i = Q_o sin b_o/cos p_o = Fa/Z,  cot b_o = cot b_i + F_c Z/Fa
+
+    and the grooves' centres keep the radial distance of concentric rings ::
+
+        (r_gi - r + delta_i) cos al_i + (r_go - r + delta_o) cos al_o = A0 cos al0
+
+    Its left side falls as b_i grows. F_c and F_t are those of `analytic.loads.turning`.
     """
+    require_finite(inner_speed=inner_speed)
     require_positive(axial_load=axial_load, ball_count=bearing.ball_count)
     require_given_angle(bearing, contact_angle)
     numbers = record_of(bearing_numbers(bearing, contact_angle))
-    factors = correction_fields(correction or ContactCorrection())
-    return _at_rest(numbers, _settled(_thrust_points(numbers, axial_load, 0.0, factors, (False, False))))
+    load, speed = (np.asarray(each, dtype=np.float64) for each in np.broadcast_arrays(axial_load, inner_speed))
+    balls = ball_states(load.size)[:, None]
+    correct_balls(balls, factors_of(correction or ContactCorrection()))
+    changes = [
+        settle_ruled_thrust(numbers, TurningRule(w, *inertia), force, ball)
+        for ball, force, w in zip(as_records(balls[:, 0]), load.ravel(), speed.ravel(), strict=True)
+    ]
+    _require_settled(np.array(changes), load.ravel() / bearing.ball_count)
+    return balls.reshape(load.shape)
 
 
-def thrust_equilibrium_frozen(
-    bearing: Bearing, contact_angle: ContactAngle, *, axial_load: ArrayLike
-) -> ThrustEquilibrium:
-    """Loaded contact angle with contacts that stay those of the free angle: the text books' cheaper form.
+def thrust_equilibrium_frozen(bearing: Bearing, contact_angle: ContactAngle, *, axial_load: ArrayLike) -> Records:
+    """`thrust_equilibrium` at rest with contacts that stay those of the free angle: the text books' cheaper form.
 
     axial_load : Fa, any shape, N, > 0
     al from  A0 (cos al0/cos al - 1) = delta,  Fa/(Z sin al) = K delta^1.5,  K^(-2/3) = K_i^(-2/3) + K_o^(-2/3)
@@ -136,57 +129,15 @@ def thrust_equilibrium_frozen(
             f"{length_of(-bearing.diametral_clearance, '.6g')} on the diameter does not leave: use thrust_equilibrium, "
             "or give contact_angle.free"
         )
-    first, correction = first_contacts(numbers), correction_of(correction_fields(ContactCorrection()))
-
-    def of_number(load: float) -> tuple[float, ...]:
-        push = load / bearing.ball_count
-        return _fields_of(frozen_point(numbers, first, push, correction, LAST_STEP), push)
-
-    return _at_rest(numbers, _settled(mapped(of_number, axial_load)))
-
-
-def thrust_at_speed(
-    bearing: Bearing,
-    contact_angle: ContactAngle,
-    *,
-    axial_load: ArrayLike,
-    inner_speed: ArrayLike,
-    turning: RuledTurning | None = None,
-    correction: ContactCorrection | None = None,
-) -> ThrustAtSpeed:
-    """Loads and contact angles of the balls on both races; load and speed broadcast to (n,).
-
-    axial_load : Fa, N, > 0;  inner_speed : w, rad/s, any sign;  contact_angle : rule "solved", as thrust_equilibrium
-    turning : what acts on the balls because they turn; None: centrifugal force and gyroscopic moment by closed
-        kinematics
-    correction : factors on Hertz's contacts, each a number or (n,); None leaves them as they are
-    On each race load and friction across the groove are a force Q/cos p at the angle b = al + p, tan p = -F_t/Q. Along
-    the axis and outward the ball is at rest where
-        Q_i sin b_i/cos p_i = Q_o sin b_o/cos p_o = Fa/Z,  cot b_o = cot b_i + F_c Z/Fa
-    and the grooves' centres keep the radial distance of concentric rings,
-        (r_gi - r + delta_i) cos al_i + (r_go - r + delta_o) cos al_o = A0 cos al0
-    Its left side falls as b_i grows. F_c and F_t are those of `turning`.
-    Raises InputError as thrust_equilibrium does, ConvergenceError where the gyroscopic moment needs friction that no
-    balance has.
-    """
-    require_finite(inner_speed=inner_speed)
-    require_positive(axial_load=axial_load, ball_count=bearing.ball_count)
-    numbers, factors = record_of(bearing_numbers(bearing, contact_angle)), correction or ContactCorrection()
-    if turning is None:
-        speed = np.asarray(inner_speed, dtype=np.float64)
-        turning = RuledTurning(bearing=bearing, inner_speed=speed, centrifugal=True, gyroscopic=True)
-    inertia = turning.centrifugal, turning.gyroscopic
-    fields = _settled(_thrust_points(numbers, axial_load, turning.inner_speed, correction_fields(factors), inertia))
-    _, inner_angle, outer_angle, inner_load, outer_load = fields[:5]
-    inner, outer = _loaded(fields)
-    return ThrustAtSpeed(
-        inner_load=inner_load,
-        outer_load=outer_load,
-        inner_angle=inner_angle,
-        outer_angle=outer_angle,
-        inner=inner,
-        outer=outer,
-    )
+    push = np.asarray(axial_load, dtype=np.float64) / bearing.ball_count
+    balls, first = ball_states(push.size), first_contacts(numbers)
+    as_hertz = CorrectionNumbers(balls[0]["inner_factors"], balls[0]["outer_factors"])
+    changes = [
+        put_ball(ball, frozen_point(numbers, first, each, as_hertz, LAST_STEP))
+        for ball, each in zip(as_records(balls), push.ravel(), strict=True)
+    ]
+    _require_settled(np.array(changes), push.ravel())
+    return balls.reshape(push.shape)
 
 
 def require_given_angle(bearing: Bearing, contact_angle: ContactAngle) -> None:
@@ -202,28 +153,11 @@ def require_given_angle(bearing: Bearing, contact_angle: ContactAngle) -> None:
         raise InputError(f"a given contact angle must lie between 0 and pi/2 rad, got {contact_angle.value!r}")
 
 
-def _at_rest(numbers: BearingNumbers, fields: Array) -> ThrustEquilibrium:
-    inner, outer = _loaded(fields)
-    return ThrustEquilibrium(
-        free_angle=None if np.isnan(numbers.free_angle) else numbers.free_angle,
-        contact_angle=fields[1],
-        ball_load=fields[3],
-        inner=inner,
-        outer=outer,
-    )
-
-
-def _loaded(fields: Array) -> tuple[HertzContact, HertzContact]:
-    """The contacts of both races under their loads."""
-    return hertz_fields(fields[5:10]), hertz_fields(fields[10:15])
-
-
-def _settled(fields: Array) -> Array:
-    """The first 15 of `_fields_of`; raises ConvergenceError where the change is not 0."""
-    open_rounds = ~(fields[-1] == 0)
-    if open_rounds.any():
-        raise unsettled(fields[-2][open_rounds], float(np.max(fields[-1])), SETTLED)
-    return fields[:-2]
+def _require_settled(changes: Array, push: Array) -> None:
+    """Raise ConvergenceError where a change, (n,), is not 0; push : thrust on each ball, (n,), N"""
+    is_open = ~(changes == 0)
+    if is_open.any():
+        raise unsettled(push[is_open], float(np.max(changes)), SETTLED)
 
 
 def unsettled(push: Array, change: float, accuracy: float) -> ConvergenceError:
@@ -236,22 +170,3 @@ def unsettled(push: Array, change: float, accuracy: float) -> ConvergenceError:
         problem=f"the contact angle, under {np.min(push):.4g} N of thrust on each ball at least,",
         remedy="Raise the load or lower the speed: a race that hardly presses a ball cannot drive it.",
     )
-
-
-def _fields_of(point: ThrustPoint, push: float) -> tuple[float, ...]:
-    """(17,) ball, contacts of inner and outer race, thrust on each ball, change."""
-    inner, outer = loaded_hertz(point.inner, point.ball.inner_load), loaded_hertz(point.outer, point.ball.outer_load)
-    return *point.ball, *inner, *outer, push, point.change
-
-
-def _thrust_points(
-    numbers: BearingNumbers, load: ArrayLike, speed: ArrayLike, factors: Sequence[ArrayLike], inertia: tuple[bool, bool]
-) -> Array:
-    """(17, ...) of `_fields_of`; inertia : whether centrifugal force and gyroscopic moment count"""
-    first = first_contacts(numbers)
-
-    def of_numbers(load: float, speed: float, *factors: float) -> tuple[float, ...]:
-        rule = TurningRule(speed, *inertia)
-        return _fields_of(thrust_point(numbers, first, load, rule, correction_of(factors)), load / numbers.ball_count)
-
-    return mapped(of_numbers, load, speed, *factors)

@@ -248,8 +248,13 @@ def settle_ruled_thrust(bearing: BearingNumbers, rule: TurningRule, axial_load: 
 
     axial_load : Fa, N, > 0
     """
-    first, correction = first_contacts(bearing), CorrectionNumbers(ball.inner_factors, ball.outer_factors)
-    found = thrust_point(bearing, first, axial_load, rule, correction)
+    correction = CorrectionNumbers(ball.inner_factors, ball.outer_factors)
+    return put_ball(ball, thrust_point(bearing, first_contacts(bearing), axial_load, rule, correction))
+
+
+@compiled
+def put_ball(ball: Record, found: ThrustPoint) -> float:
+    """Write load, angles and contacts under 1 N of a ball; returns the change of the last round."""
     ball.load[0], ball.load[1] = found.ball.inner_load, found.ball.outer_load
     ball.angle[0], ball.angle[1] = found.ball.inner_angle, found.ball.outer_angle
     put_unit(ball.inner_unit, found.inner)

@@ -41,7 +41,6 @@ ENTRIES = (  # of a wheel, the longest one first
     "analytic.cage.raceways.roll_without_cage",
     "analytic.free_ball.strips.march_strips",
     "analytic.cage.pocket.put_pocket_coefficients",
-    "analytic.cage.steady.put_resting_torques",
 )
 BUILDER = "analytic.numerics.building"
 PACKAGE = Path(__file__).parents[1]

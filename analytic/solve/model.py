@@ -19,8 +19,8 @@ from analytic.free_ball.state import contact_states, scratch
 from analytic.free_ball.turning import FreeNumbers, free_numbers, outer_groove_centres
 from analytic.loads.ring_balance import placed_balls
 from analytic.loads.ring_rounds import RingNumbers
-from analytic.loads.ring_series import factors_of, ring_numbers, weight_of_ball
-from analytic.loads.state import ring_state
+from analytic.loads.ring_series import ring_numbers, weight_of_ball
+from analytic.loads.state import factors_of, ring_state
 from analytic.numerics.records import Record, Records, copied, record_in, record_of
 from analytic.oil.law_table import kept_table
 from analytic.oil.race_resistance import NO_OIL, RaceResistance, gap_law_of, resistance_of

@@ -7,11 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.contact.hertz import HertzContact, HertzNumbers
-from analytic.loads.balls import LoadedBalls, balls_between
-from analytic.loads.kinematics import BallKinematics, BallMotion
 from analytic.numerics.records import Records
-from analytic.scene import Array, Bearing, Operation
+from analytic.scene import Array, Operation
 from analytic.solve.kernel import solve
 from analytic.solve.model import Model, Workspace, workspace
 from analytic.solve.records import BALL, POINT
@@ -51,26 +48,6 @@ class Solution:
     def at(self, points: NDArray[np.intp]) -> "Solution":
         """The same at some of the operating points."""
         return Solution(points=self.points[points], balls=self.balls[points])
-
-    def loaded_balls(self, bearing: Bearing) -> LoadedBalls:
-        """The balls as arrays by name."""
-        balls = self.balls
-        contacts = [
-            HertzContact(
-                semi_axis_x=balls["semi_axis_rolling"][..., race],
-                semi_axis_y=balls["semi_axis_transverse"][..., race],
-                **{name: balls[name][..., race] for name in HertzNumbers._fields[2:]},
-            )
-            for race in (0, 1)
-        ]
-        return balls_between(
-            bearing,
-            method="thrust" if balls.shape[1] == 1 else "ring",
-            load=np.moveaxis(balls["load"], -1, 0),
-            angle=np.moveaxis(balls["angle"], -1, 0),
-            contacts=(contacts[0], contacts[1]),
-            motion=BallKinematics(**{name: balls["motion"][name] for name in BallMotion._fields}),
-        )
 
 
 def points_of(operation: Operation, temperature: float) -> Array:

@@ -18,15 +18,15 @@ HEAD = """\
 # Keys in JSON
 
 Made from the types that results are written from. Every file begins with `kind` and `format`; the number of the format
-is the same for all files, and rises when a key changes its name or meaning. Numbers are SI: m, N, Pa, rad, rad/s, N m, K, s;
-uncertainties and discrepancies are relative. `null` stands where something is not known or was not computed.
+is the same for all files, and rises when a key changes its name or meaning. Numbers are SI: m, N, Pa, rad, rad/s, N m,
+K, s; discrepancies are relative. `null` stands where something is not known or was not computed.
 
 - `report.json` of `fembearing validate`, and `validate --json`: [Report](#report).
 - `torque.json` and `torque --json`: [TorqueContent](#torquecontent); the file has `run`, where it comes from, and the
   folder's `cage_motion`, the files of moving cages, as well.
 - `compare.json` and `compare --json`: [MeasuredComparison](#measuredcomparison); the file has `run` as well.
 - `duty.json` and `duty --json`: [DutyCycle](#dutycycle) with `standing`; the file has `run` as well.
-- `contact --json`: [ContactRecord](#contactrecord), with the stresses below the surface.
+- `contact --json`: [ContactNumbers](#contactnumbers), with the stresses below the surface.
 """
 PLAIN = {float: "number", int: "whole number", str: "text", bool: "`true` or `false`", type(None): "`null`", Any: "any"}
 

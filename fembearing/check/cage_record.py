@@ -13,7 +13,7 @@ from analytic.cage.series import CageSeries, recorded_motion
 from analytic.cage.statistics import CageStatistics, State
 from analytic.cage.steady import DrivenCage, whirl_speed
 from analytic.result import FrictionTorque
-from analytic.rows import NotNegative, Positive, Two, require_one_length
+from analytic.rows import NotNegative, Positive, Two
 from analytic.scene import CageStart, Scene
 from fembearing.provenance import provenance_of
 
@@ -53,10 +53,6 @@ class Forces:
     largest: Numbers  # of one ball, N
     sum: Numbers  # over all balls, N
 
-    def __post_init__(self) -> None:
-        """Raises ValueError for lists of different lengths."""
-        require_one_length(self.time, self.largest, self.sum)
-
 
 @dataclass(frozen=True, kw_only=True)
 class Exceedance:
@@ -64,10 +60,6 @@ class Exceedance:
 
     force: tuple[Positive, ...]  # N, rising
     share: tuple[Positive, ...]  # of all instants
-
-    def __post_init__(self) -> None:
-        """Raises ValueError for lists of different lengths."""
-        require_one_length(self.force, self.share)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -17,7 +17,7 @@ from analytic.contact.geometry import RACES
 from analytic.errors import FembearingError
 from analytic.prediction.evaluation import moved_scene, problem_of, torque_at
 from analytic.prediction.spreads import UncertainInput, uncertain_inputs
-from analytic.rows import OperatingPoint, require_one_length
+from analytic.rows import OperatingPoint
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
 from fembearing.check.contact.bearings import bearings_of
@@ -47,12 +47,6 @@ class Output:
         numbers = {name: value for name in COORDINATES if (value := getattr(self, name)) is not None}
         return OperatingPoint(**numbers) if len(numbers) == len(COORDINATES) else None
 
-    def __post_init__(self) -> None:
-        """Raises ValueError for a torque without its operating point, and for a pressure without its race."""
-        is_torque = self.quantity == "total_torque"
-        if any(each != is_torque for each in (self.point is not None, self.pair is None)):
-            raise ValueError(f"is a {self.quantity} of no operating point or race")
-
 
 @dataclass(frozen=True, kw_only=True)
 class Input:
@@ -81,14 +75,6 @@ class Sensitivity:
 
     outputs: Annotated[tuple[Output, ...], MinLen(1)]
     inputs: tuple[Input, ...]
-
-    def __post_init__(self) -> None:
-        """Raises ValueError for changes of other outputs than those listed, and for outputs of two kinds."""
-        for each in self.inputs:
-            ends = (each.change_low, each.change_high)
-            require_one_length(self.outputs, *(changes for changes in ends if changes is not None))
-        if len({output.quantity for output in self.outputs}) > 1:
-            raise ValueError("has outputs of two kinds")
 
 
 def sensitivity_of(scene: Scene) -> Sensitivity:

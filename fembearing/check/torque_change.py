@@ -18,9 +18,9 @@ from analytic.loads.finite_geometry import corrections_of
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.comparison import ShownVerdict, worst
 from fembearing.check.contact.scene_contact import balls_of
-from fembearing.check.contact.verdict import Verdict, worst
+from fembearing.check.contact.solution import ContactSolution
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
@@ -53,7 +53,7 @@ class TorqueChange(Brief):
     # relative; parts that were left out have none.
     uncertainties: dict[str, float]
     fitted: FittedChange | None  # None: the production's contacts have the fit already, or there are two bearings
-    verdict: Verdict  # the worst of both contacts: beyond "pass" the change stands on contacts that did not pass
+    verdict: ShownVerdict  # the worst of both contacts: beyond "pass" the change stands on contacts that did not pass
 
     @property
     def uncertainty(self) -> float:
@@ -148,7 +148,7 @@ def change_of_torque(
         fitted=_fitted(races, production, own)
         if production.pair is None and not production.is_on("finite_geometry")
         else None,
-        verdict=worst((inner.verdict, outer.verdict)),
+        verdict=worst((inner.numbers.verdict, outer.numbers.verdict)),
     )
 
 
@@ -189,12 +189,13 @@ def _change(after: Array, before: Array) -> Array:
 
 def factors(solution: ContactSolution, *, up: str = "") -> ContactFactors:
     """Finite elements over Hertz; the one named by `up` moved up by its uncertainty."""
-    return ContactFactors(
-        **{
-            name: (1 + solution.estimates[name].total if name == up else 1) / (1 + solution.discrepancy[name])
-            for name in FACTORS
-        }
-    )
+    found = solution.numbers.quantities
+
+    def over_hertz(name: str) -> float:
+        each = found[name]
+        return (1 + each.uncertainty / each.reference if name == up else 1) / (1 + each.difference)
+
+    return ContactFactors(**{name: over_hertz(name) for name in FACTORS})
 
 
 def _corrected(scene: Scene, inner: ContactFactors, outer: ContactFactors) -> FrictionTorque:

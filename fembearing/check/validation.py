@@ -21,15 +21,14 @@ from analytic.scene_torque import Samples, SceneTorque, torque_of_scene
 from analytic.scenefile.parts import Given, with_tolerance
 from analytic.verdicts import Compared, Overall, Verdicts, pressure_check
 from fembearing.check.cage_record import CageRecord, record_cage
+from fembearing.check.comparison import ShownVerdict, Verdict, worst
 from fembearing.check.contact.bearings import OneBearing, bearings_of, which_bearing
 from fembearing.check.contact.columns import COLUMNS, VERDICT
-from fembearing.check.contact.discrepancy import ContactSolution, solve_contact, with_ring
 from fembearing.check.contact.scene_contact import balls_of, contact_of
-from fembearing.check.contact.verdict import Verdict, judge, worst
+from fembearing.check.contact.solution import ContactSolution, solve_contact, with_ring
 from fembearing.check.cost.contact_ladder import contact_ladder_of
-from fembearing.check.cost.formula_ladders import SEED
 from fembearing.check.cost.ladder import Ladder
-from fembearing.check.cost.scene_cost import measure_cost
+from fembearing.check.cost.scene_cost import SEED, measure_cost
 from fembearing.check.creep.scene_creep import SceneCreep, creep_of
 from fembearing.check.film.scene_film import RaceFilm, film_change, film_of
 from fembearing.check.hard_record import HardRecord, last_run
@@ -98,15 +97,12 @@ class Validation(Brief):
     @property
     def compared(self) -> dict[Compared, Verdict]:
         """The worst verdict on contacts, on films, and on the friction of balls, as far as they were solved."""
-        judged = (contact for contact in self.contacts if contact.judged)
-        found: dict[Compared, Verdict] = {
-            "contacts": worst(each for contact in judged for each in contact.verdicts.values())
-        }
+        found: dict[Compared, ShownVerdict] = {"contacts": worst(contact.numbers.verdict for contact in self.contacts)}
         if self.films:
             found["film"] = worst(film.numbers.verdict for film in self.films)
         if self.creep and self.creep_change is not None:
             found["friction"] = self._friction
-        return found
+        return {name: verdict for name, verdict in found.items() if verdict != "shown"}
 
     @property
     def _friction(self) -> Verdict:
@@ -114,21 +110,18 @@ class Validation(Brief):
         heaviest = max(self.creep, key=lambda creep: max(race.load for race in creep.numbers.races.values())).numbers
         change = self.creep_change or 0.0
         share = change / heaviest.change if heaviest.change else 0.0  # of sliding in the torque
-        return judge(
-            discrepancy=change,
-            uncertainty=share * heaviest.relative_uncertainty,
-            tolerance=self.tolerance,
-            settled=True,
-            spread=0.0,
-        )
+        uncertainty = share * heaviest.relative_uncertainty
+        if abs(change) + uncertainty <= self.tolerance:
+            return "pass"
+        return "fail" if abs(change) - uncertainty > self.tolerance else "undecided"
 
     @property
     def verdicts(self) -> Verdicts:
         """Comparison, numerical and physical; without a torque the physical ones are peak pressures of contacts."""
         if self.torque is not None:
             return replace(self.torque.verdicts, compared=self.compared)
-        races = (contact for contact in self.contacts if contact.contact.pair != "pocket")
-        checks = [(race.bearing, pressure_check(race.contact.pair, race.hertz.peak_pressure)) for race in races]
+        races = (contact.numbers for contact in self.contacts if contact.numbers.pair != "pocket")
+        checks = [(race.bearing, pressure_check(race.pair, race.hertz.peak_pressure)) for race in races]
         physical = tuple(replace(check, where=f"{check.where}{which_bearing(of)}") for of, check in checks)
         return Verdicts(numerical=None, physical=physical, compared=self.compared)
 
@@ -143,9 +136,11 @@ class Validation(Brief):
         """Those of the scene, of all contacts, of the torque and of the report, each once."""
         own = self.scene.warnings
         contacts = (
-            f"{contact.bearing} bearing, {warning}" if contact.bearing and warning not in own else warning
+            f"{contact.numbers.bearing} bearing, {warning}"
+            if contact.numbers.bearing and warning not in own
+            else warning
             for contact in self.contacts
-            for warning in contact.warnings
+            for warning in contact.numbers.warnings
         )
         torque = () if self.torque is None else self.torque.friction.warnings
         fitted = () if self.torque_change is None else self.torque_change.fitting_warnings
@@ -164,10 +159,10 @@ class Validation(Brief):
         """What each contact is, and its numbers."""
         rows = [contact.columns() for contact in self.contacts]
         words = {
-            "pair": ("body that the ball presses", [contact.contact.pair for contact in self.contacts]),
-            "geometry": ("shape of the meshes", [contact.geometry for contact in self.contacts]),
+            "pair": ("body that the ball presses", [contact.numbers.pair for contact in self.contacts]),
+            "geometry": ("shape of the meshes", [contact.numbers.geometry for contact in self.contacts]),
             **({} if self.scene.arrangement is None else {"bearing": ("of the pair", self._bearings)}),
-            VERDICT: ("on uncorrected Hertz", [contact.shown_verdict for contact in self.contacts]),
+            VERDICT: ("on uncorrected Hertz", [contact.numbers.verdict for contact in self.contacts]),
         }
         return (
             {name: Labelled(("contact",), values, Column("", meaning)) for name, (meaning, values) in words.items()},
@@ -176,7 +171,7 @@ class Validation(Brief):
 
     @property
     def _bearings(self) -> list[str]:
-        return [contact.bearing or "both" for contact in self.contacts]
+        return [contact.numbers.bearing or "both" for contact in self.contacts]
 
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame with the columns of `to_dataset`: a row for each contact, SI."""
@@ -247,7 +242,7 @@ def check_scene(
         hard=last_run(),
         ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, shares[-1], 1.0)).ladders
         if cost
-        else tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
+        else tuple(contact_ladder_of(contact) for contact in contacts if contact.numbers.judged),
         measured=cost,
         measured_torques=measured_torques,
         sensitivity=sensitivity_of(scene),
@@ -281,7 +276,7 @@ def _contacts(jobs: Sequence[_Job], shares: Array, progress: Progress) -> tuple[
                 accuracy=ENOUGH * tolerance,
                 progress=part_of(progress, begin, end),
             )
-            contacts.append(replace(solved, bearing=job.of.name))
+            contacts.append(solved.with_numbers(bearing=job.of.name))
             if job.pair != "pocket":
                 rings[number] = beside.submit(_with_ring_if_known, contacts[-1])
     return tuple(rings[number].result() if number in rings else contact for number, contact in enumerate(contacts))
@@ -372,4 +367,4 @@ def _with_ring_if_known(contact: ContactSolution) -> ContactSolution:
     try:
         return with_ring(contact)
     except InputError as problem:
-        return replace(contact, warnings=(*contact.warnings, str(problem)))
+        return contact.with_numbers(warnings=(*contact.numbers.warnings, str(problem)))

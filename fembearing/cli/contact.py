@@ -1,6 +1,6 @@
 """`fembearing contact`."""
 
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -22,8 +22,8 @@ from fembearing.cli.status import reached
 
 if TYPE_CHECKING:
     from analytic.scene import Scene
-    from fembearing.check.contact.discrepancy import ContactSolution
     from fembearing.check.contact.load_series import LoadSeries
+    from fembearing.check.contact.solution import ContactSolution
     from fembearing.check.contact.subsurface import SubsurfaceComparison
 
 
@@ -86,8 +86,8 @@ def contact(
         return
     if level is not None:
         raise InputError(f"--level {level} goes with --mesh; --tolerance decides on the meshes of a solution")
-    from fembearing.check.contact.discrepancy import solve_contact
     from fembearing.check.contact.load_series import solve_load_series
+    from fembearing.check.contact.solution import solve_contact
     from fembearing.check.contact.subsurface import compare_subsurface
 
     with talk.progress() as progress:
@@ -100,7 +100,7 @@ def contact(
             try:
                 below = compare_subsurface(result)
             except InputError as problem:  # a contact cut off at a shoulder: everything else is known
-                result = replace(result, warnings=(*result.warnings, str(problem)))
+                result = result.with_numbers(warnings=(*result.numbers.warnings, str(problem)))
             show = partial(_show_contact, result, below, limit, read, talk)
     uncertainties = show(as_json=as_json)
     worst = max(uncertainties, key=lambda name: uncertainties[name])
@@ -118,46 +118,44 @@ def _show_contact(
 ) -> dict[str, float]:
     """The relative uncertainties of the quantities that are to be known to the accuracy, by their names."""
     from analytic.words import percent_of
-    from fembearing.check.contact.discrepancy import SHOWN_OF_A_SHEET
-    from fembearing.check.contact.mesh_refinement import COMPARED
+    from fembearing.check.contact.refinement import COMPARED
+    from fembearing.check.contact.solution import SHOWN_OF_A_SHEET
     from fembearing.cli.console import out, print_json
-    from fembearing.plain_types import plain
+    from fembearing.plain_types import document
     from fembearing.quantities import SYSTEMS
-    from fembearing.report.contact import contact_record
     from fembearing.report.tables.contacts import contact_table, subsurface_table
     from fembearing.report.terminal.table import show
 
+    found = result.numbers
     if as_json:
-        added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": plain(below)}
-        print_json(plain(contact_record(result)) | added)
+        print_json(document("contact", found, accuracy=accuracy, subsurface=below))
     else:
         units = SYSTEMS[read.report.units]
-        show(out, contact_table([(contact_record(result), result.verdicts)], units))
+        show(out, contact_table([found], units))
         if below is not None:
             show(out, subsurface_table(below, units))
-        if result.judged:
-            out.print(f"Hertz, tolerance of the scene {percent_of(result.tolerance)}: {result.verdict}")
-        talk.warn(result.warnings, read=read.warnings)
-    return {name: result.estimates[name].total for name in (COMPARED if result.judged else SHOWN_OF_A_SHEET)}
+        if found.judged:
+            out.print(f"Hertz, tolerance of the scene {percent_of(found.tolerance)}: {found.verdict}")
+        talk.warn(found.warnings, read=read.warnings)
+    return {name: found.estimates[name].total for name in (COMPARED if found.judged else SHOWN_OF_A_SHEET)}
 
 
 def _show_series(result: "LoadSeries", read: "Scene", talk: Talk, *, as_json: bool) -> dict[str, float]:
     from analytic.words import percent_of
     from fembearing.cli.console import out, print_json
-    from fembearing.plain_types import plain
+    from fembearing.plain_types import document
     from fembearing.quantities import SYSTEMS
-    from fembearing.report.load_series import series_record
     from fembearing.report.tables.contacts import series_table
     from fembearing.report.terminal.table import show
 
     if as_json:
-        print_json(plain(series_record(result)))
+        print_json(document("load series", result))
     else:
         show(out, series_table(result, SYSTEMS[read.report.units]))
-        verdict = result.verdict if result.judged else "no verdict"
+        verdict = "no verdict" if result.verdict == "shown" else result.verdict
         out.print(f"{verdict}: tolerance {percent_of(result.tolerance)}")
         talk.warn(result.warnings, read=read.warnings)
-    return {f"approach at {part.load:g} N": part.approach.total for part in result.points}
+    return {f"approach at {part.load:g} N": part.approach.study.total for part in result.points if part.approach.study}
 
 
 def _write_meshes(

@@ -1,5 +1,8 @@
 """`fembearing cost`."""
 
+from typing import TYPE_CHECKING
+
+from analytic.words import percent_of
 from fembearing.cli.options import (
     AsJson,
     Given,
@@ -9,6 +12,9 @@ from fembearing.cli.options import (
     Tolerance,
     read_tolerance,
 )
+
+if TYPE_CHECKING:  # the solver takes a second to import
+    from fembearing.check.cost.scene_cost import Cost
 
 
 def cost(
@@ -23,10 +29,9 @@ def cost(
     read = given.scene(scene)
     limit = read_tolerance(tolerance, read)
     from fembearing.check.cost.scene_cost import measure_cost
-    from fembearing.cli.console import out, print_json
+    from fembearing.cli.console import print_json
     from fembearing.plain_types import plain
     from fembearing.report.folder import write_cost
-    from fembearing.report.terminal.cost import print_cost
 
     with talk.progress() as progress, output.opened() as place:
         result = measure_cost(read, tolerance=limit, progress=progress)
@@ -35,5 +40,21 @@ def cost(
     if as_json:
         print_json(plain(result))
     else:
-        print_cost(out, result)
+        _print(result)
         talk.warn(read.warnings, read=read.warnings)
+
+
+def _print(found: "Cost") -> None:
+    """Each ladder with error, bound, time and memory, and the machine."""
+    from fembearing.cli.console import out
+    from fembearing.report.tables.cost import cost_table
+    from fembearing.report.terminal.table import show
+
+    show(out, cost_table(found.ladders))
+    machine = found.provenance
+    versions = ", ".join(f"{name} {version}" for name, version in machine.versions.items() if version)
+    out.print(
+        f"Tolerance {percent_of(found.tolerance)}, {found.cost.seconds:.0f} s in all.\n{machine.processor}, "
+        f"{machine.cores} cores, {machine.platform}, Python {machine.python}; {versions}.",
+        markup=False,
+    )

@@ -37,7 +37,12 @@ class NumericalFilm:
     y: Array  # (rows,) m
     pressure: Array  # (columns, rows), Pa
     film: Array  # (columns, rows), m
-    seconds: float
+    grid_seconds: tuple[float, ...]  # until each grid was solved
+
+    @property
+    def seconds(self) -> float:
+        """Of all grids."""
+        return self.grid_seconds[-1]
 
     @property
     def disagreement(self) -> float:
@@ -67,7 +72,10 @@ def numerical_film(contact: LubricatedContact, *, refinement: float = USUAL) -> 
     """
     begun = time.perf_counter()
     refinements = refinement / RATIO, refinement, refinement * RATIO
-    solutions = list(solve_on_grids(contact, refinements))
+    solutions, seconds = [], []
+    for solution in solve_on_grids(contact, refinements):
+        solutions.append(solution)
+        seconds.append(time.perf_counter() - begun)
     finest = solutions[-1]
     return NumericalFilm(
         contact=contact,
@@ -76,7 +84,7 @@ def numerical_film(contact: LubricatedContact, *, refinement: float = USUAL) -> 
         y=finest.grid.y,
         pressure=finest.pressure,
         film=finest.film,
-        seconds=time.perf_counter() - begun,
+        grid_seconds=tuple(seconds),
     )
 
 

@@ -8,13 +8,13 @@ import numpy as np
 
 from analytic.rows import NotNegative
 from analytic.words import PERCENT, percent_of
+from fembearing.check.comparison import ShownVerdict, worst
 from fembearing.check.contact.bearings import which_bearing
-from fembearing.check.contact.verdict import Verdict, worst
+from fembearing.check.contact.solution import ContactNumbers
 from fembearing.check.creep.scene_creep import CreepNumbers
 from fembearing.check.film.scene_film import JUDGED, FilmNumbers
 from fembearing.check.torque_change import TorqueChange
 from fembearing.quantities import CONTACT
-from fembearing.report.contact import ContactRecord
 
 OFF = {  # what is compared with a reference
     "contacts": "contacts: Hertz",
@@ -40,7 +40,7 @@ class Finding:
     place: str  # in words; empty: all balls
     difference: float  # relative
     uncertainty: NotNegative  # numerical, of the reference, relative
-    verdict: Verdict | Literal["shown"]  # of all that is compared with this reference; shown: not judged
+    verdict: ShownVerdict  # of all that is compared with this reference; shown: not judged
 
     @property
     def words(self) -> str:
@@ -54,7 +54,7 @@ class Finding:
 
 
 def findings_of(
-    contacts: Sequence[ContactRecord],
+    contacts: Sequence[ContactNumbers],
     films: Sequence[FilmNumbers],
     creep: Sequence[CreepNumbers],
     change: TorqueChange | None,
@@ -77,15 +77,15 @@ def _size(finding: Finding) -> float:
     return abs(finding.difference)
 
 
-def _of_contacts(contacts: Sequence[ContactRecord]) -> Finding:
-    verdict = worst(contact.verdict for contact in contacts if contact.verdict != "shown")
+def _of_contacts(contacts: Sequence[ContactNumbers]) -> Finding:
+    verdict = worst(contact.verdict for contact in contacts)
     found = (
         Finding(
             reference="contacts",
             quantity=quantity.name,
             place=_on(contact.pair, contact.bearing),
-            difference=contact.discrepancy[name],
-            uncertainty=contact.uncertainty[name],
+            difference=contact.quantities[name].difference,
+            uncertainty=contact.quantities[name].uncertainty / contact.quantities[name].reference,
             verdict=verdict,
         )
         for contact in contacts
@@ -102,8 +102,8 @@ def _of_films(films: Sequence[FilmNumbers]) -> Finding:
             reference="film",
             quantity=FILM_NAMES[name],
             place=_on(film.pair, film.bearing),
-            difference=film.quantities[name].discrepancy,
-            uncertainty=film.quantities[name].relative_uncertainty,
+            difference=film.quantities[name].difference,
+            uncertainty=film.quantities[name].uncertainty / abs(film.quantities[name].reference),
             verdict=verdict,
         )
         for film in films
@@ -118,13 +118,13 @@ def _of_creep(creep: CreepNumbers) -> Finding:
         reference="friction",
         quantity="torque by sliding",
         place=which_bearing(creep.bearing).removeprefix(" of the "),
-        difference=creep.torque.production / creep.torque.reference - 1,
+        difference=creep.torque.difference,
         uncertainty=creep.relative_uncertainty,
         verdict="shown",
     )
 
 
-def _of_ring(contact: ContactRecord) -> Finding:
+def _of_ring(contact: ContactNumbers) -> Finding:
     ring = contact.ring
     assert ring is not None
     return Finding(
@@ -132,18 +132,19 @@ def _of_ring(contact: ContactRecord) -> Finding:
         quantity="approach",
         place=_on(contact.pair, contact.bearing),
         difference=ring.share,
-        uncertainty=ring.uncertainty / contact.fe.approach,
+        uncertainty=ring.uncertainty / contact.reference.approach,
         verdict="shown",
     )
 
 
-def _of_sheet(contact: ContactRecord) -> Finding:
+def _of_sheet(contact: ContactNumbers) -> Finding:
+    stiffness = contact.quantities["stiffness"]
     return Finding(
         reference="pocket",
         quantity="stiffness",
         place="",
-        difference=contact.fe.stiffness / contact.hertz.stiffness - 1,
-        uncertainty=contact.uncertainty.stiffness,
+        difference=stiffness.reference / stiffness.production - 1,
+        uncertainty=stiffness.uncertainty / stiffness.reference,
         verdict="shown",
     )
 

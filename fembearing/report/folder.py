@@ -96,12 +96,12 @@ def write_report(result: Validation, folder: Path) -> "tuple[Validation, Report]
 
     Gives the result, with what troubled the writing, and the report that is written.
     """
-    from fembearing.report.figures.cost import cost_table
     from fembearing.report.figures.page_plots import PLOTS, plots_of
     from fembearing.report.page.write import page_of  # with matplotlib: half a second that only a report pays for
     from fembearing.report.pictures.creep import creep_pictures
     from fembearing.report.pictures.draw import draw_pictures
     from fembearing.report.report import report_of
+    from fembearing.report.tables.cost import cost_csv
 
     plots = {}
 
@@ -119,7 +119,7 @@ def write_report(result: Validation, folder: Path) -> "tuple[Validation, Report]
     document = report_of(result, pictures=listed)
     write(folder / "report.json", json_of("validation", document))
     write(folder / "report.html", page_of(document, folder, plots=plots))
-    write(folder / "cost.csv", cost_table(document.cost.ladders))
+    write(folder / "cost.csv", cost_csv(document.cost.ladders))
     return result, document
 
 
@@ -137,10 +137,11 @@ def _film_picture(film: RaceFilm, folder: Path) -> "PictureFile":
 
 def write_cost(cost: Cost, folder: Path) -> None:
     """Write what accuracy costs into a folder: cost.png, cost.csv and cost.json."""
-    from fembearing.report.figures.cost import cost_figures, cost_table
+    from fembearing.report.figures.cost import cost_figures
     from fembearing.report.figures.style import png
+    from fembearing.report.tables.cost import cost_csv
 
     ladders = cost.ladders
     write(folder / "cost.png", png(*cost_figures(ladders, tolerance=cost.tolerance, most=len(ladders) + 1)))
-    write(folder / "cost.csv", cost_table(ladders))
+    write(folder / "cost.csv", cost_csv(ladders))
     write(folder / "cost.json", json_of("cost", cost))

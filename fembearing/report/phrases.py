@@ -1,8 +1,6 @@
 """Titles, sentences and numbers as text, which terminal, page and figures share."""
 
 from collections.abc import Mapping, Sequence
-from itertools import groupby
-from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +10,6 @@ from analytic.units import load_words
 from analytic.units import speed_words as speed_words
 from analytic.words import Unit, angle_of, percent_of, rounded
 from fembearing.check.contact.bearings import place_of
-from fembearing.check.cost.ladder import Ladder
 from fembearing.quantities import CONTACT, METRIC, Quantity, Units
 
 if TYPE_CHECKING:
@@ -21,8 +18,8 @@ if TYPE_CHECKING:
     from analytic.scene import Clearances
     from analytic.scene_torque import SceneTorque
     from analytic.verdicts import NumericalCheck, PhysicalCheck
-    from fembearing.check.contact.ring import RingStructure
-    from fembearing.report.contact import ContactRecord
+    from fembearing.check.contact.meshed_region import RingStructure
+    from fembearing.check.contact.solution import ContactNumbers
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
@@ -53,7 +50,7 @@ LEAST_EXPLAINED = 0.5  # share of the variance below which the shares of the inp
 AXES = "a along rolling (x), b transverse (y), load along z"
 
 
-def quantities_of(contact: "ContactRecord", units: Units = METRIC) -> dict[str, Quantity]:
+def quantities_of(contact: "ContactNumbers", units: Units = METRIC) -> dict[str, Quantity]:
     """The quantities of a contact; where a shoulder cuts it off, the pressure is largest there and not at y = 0."""
     named = CONTACT | {"peak_pressure": AT_THE_CENTRE} if contact.shoulder else CONTACT
     return {name: quantity.in_units(units) for name, quantity in named.items()}
@@ -65,13 +62,13 @@ def title_of(pair: str, geometry: str, contact_angle: float, load: str, bearing:
     return f"{capital(place_of(pair, geometry, bearing))}{angle}: {load}"
 
 
-def contact_title(contact: "ContactRecord", units: Units = METRIC) -> str:
+def contact_title(contact: "ContactNumbers", units: Units = METRIC) -> str:
     """Place and load of a contact, for the head of its table."""
     load = units.force.written(contact.load, ".4g")
     return title_of(contact.pair, contact.geometry, contact.contact_angle, load, contact.bearing)
 
 
-def contact_place(contact: "ContactRecord") -> str:
+def contact_place(contact: "ContactNumbers") -> str:
     """The place of a contact, as it begins a sentence."""
     return capital(place_of(contact.pair, contact.geometry, contact.bearing))
 
@@ -288,29 +285,12 @@ def interval_words(prediction: "Prediction") -> str:
     ).replace("  ", " ")
 
 
-def short_name(method: str) -> str:
-    """The name of a method for narrow places."""
-    return method.replace("finite elements, ", "FE, ").replace("corrected for finite geometry", "corrected")
-
-
-def choices_line(ladder: Ladder) -> str:
-    """Which method each of some tolerances takes, and how many times as much the next digit costs."""
-    parts = []
-    for (name, seconds), run in groupby(ladder.choices, key=attrgetter("method", "seconds")):
-        choices = list(run)
-        tolerances = ", ".join(f"{100 * choice.tolerance:g}" for choice in choices)
-        taken = "none" if name is None else f"{short_name(name)}, {seconds:.2g} s"
-        price = choices[0].price
-        parts.append(f"{tolerances} %: {taken}" + ("" if price is None else f", {price:.2g} times as much"))
-    return "; ".join(parts)
-
-
-def shoulder_lines(contact: "ContactRecord", units: Units = METRIC) -> list[str]:
+def shoulder_lines(contact: "ContactNumbers", units: Units = METRIC) -> list[str]:
     """What a contact does at the shoulders that cut it off, a sentence each; none where it ends before them."""
     shoulder = contact.shoulder
     if shoulder is None:
         return []
-    centroid, line = shoulder.centroid, shoulder.strip_line_load
+    centroid, share, line = shoulder.centroid, shoulder.strip_share, shoulder.strip_line_load
     ends = [units.length.written(y, ".4g") for y in sorted(shoulder.cuts)]
     nearer = units.length.written(shoulder.cuts[0], ".4g")
     if len(ends) == 1:
@@ -319,14 +299,14 @@ def shoulder_lines(contact: "ContactRecord", units: Units = METRIC) -> list[str]
         where, edge = f"Cut off at both shoulders, y = {ends[0]} and y = {ends[1]}", f"the shoulder at y = {nearer}"
     half = (
         f": half of the contact is meshed; semi-axes about the centroid of the load, at y = "
-        f"{units.length.written(centroid.fe, '.3g')} (+-{centroid.uncertainty:.1%} of that)"
+        f"{units.length.written(centroid.reference, '.3g')} (+-{centroid.relative_uncertainty:.1%} of that)"
     )
     return [
         f"{where}{half if shoulder.half else ''}.",
         f"Edge load: the strip of {units.length.written(shoulder.strip_width, '.3g')} beside {edge} carries "
-        f"{shoulder.strip_share.fe:.2%} of the load (+-{shoulder.strip_share.uncertainty:.1%} of that), "
-        f"{units.line_load.written(line.fe, '.4g')} or {line.fe / shoulder.hertz_line_load:.3g} times Hertz's "
-        "greatest line load. The pressure shown is that at y = 0; the pressure at the edge is unbounded.",
+        f"{share.reference:.2%} of the load (+-{share.relative_uncertainty:.1%} of that), "
+        f"{units.line_load.written(line.reference, '.4g')} or {line.reference / shoulder.hertz_line_load:.3g} times "
+        "Hertz's greatest line load. The pressure shown is that at y = 0; the pressure at the edge is unbounded.",
     ]
 
 

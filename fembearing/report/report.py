@@ -1,6 +1,6 @@
 """The report of a check: one type is written, drawn and shown."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal
 
@@ -10,13 +10,12 @@ from annotated_types import Len, MinLen
 from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Array, Pair, ReportDetails, Scene
 from analytic.scene_torque import SceneTorque
-from analytic.verdicts import Compared, PhysicalCheck, Summary
+from analytic.verdicts import Compared, PhysicalCheck, Summary, Verdict
 from fembearing.check.cage_record import DrawnMotion
+from fembearing.check.comparison import ShownVerdict
 from fembearing.check.contact.bearings import OfPair
-from fembearing.check.contact.comparison_error import WHY, Comparison
-from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.check.contact.scene_contact import Shape
-from fembearing.check.contact.verdict import Verdict
+from fembearing.check.contact.solution import ContactNumbers
 from fembearing.check.cost.ladder import Ladder
 from fembearing.check.creep.scene_creep import CreepNumbers
 from fembearing.check.film.scene_film import FilmNumbers
@@ -28,7 +27,6 @@ from fembearing.check.validation import Validation
 from fembearing.plain_types import UNWRITTEN
 from fembearing.provenance import Provenance
 from fembearing.quantities import SYSTEMS, Units
-from fembearing.report.contact import ContactRecord, contact_record
 from fembearing.report.findings import Finding, findings_of
 from fembearing.report.torque import CageMotionPoint, TorqueContent, cage_motion
 from fembearing.report.torque import content_of as torque_content
@@ -36,37 +34,6 @@ from fembearing.report.torque import content_of as torque_content
 INSTANTS = 400  # of a cage's motion that are kept
 Floats = tuple[float, ...]
 Optionals = tuple[float | None, ...]
-
-
-@dataclass(frozen=True, kw_only=True)
-class VerdictRow:
-    """One quantity of one contact, judged."""
-
-    pair: Pair
-    geometry: Shape
-    quantity: Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]
-    production: float
-    reference: Positive
-    discrepancy: float  # relative
-    uncertainty: NotNegative  # relative
-    exceeds_uncertainty: bool
-    comparison: Comparison  # in the unit of the quantity
-    verdict: Verdict
-    bearing: OfPair | None = None  # of a pair
-
-    @property
-    def relative_uncertainty(self) -> float:
-        """u_val over the reference."""
-        return self.comparison.total / abs(self.reference)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Uncertainties:
-    """Where each uncertainty of a comparison comes from, in words."""
-
-    numerical: str
-    input: str
-    reference: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -110,7 +77,7 @@ class ChangeRecord:
     uncertainty: NotNegative  # of the total's change
     uncertainties: dict[str, NotNegative]  # of each part's relative change
     finite_geometry: ChangeByFit | None  # None: it is in the production's contacts
-    verdict: Verdict
+    verdict: ShownVerdict
     note: str
 
 
@@ -146,9 +113,7 @@ class Report:
     physical: Annotated[tuple[PhysicalCheck, ...], MinLen(1)]
     report: ReportDetails
     tolerance: Positive
-    verdicts: tuple[VerdictRow, ...]
-    uncertainties: Uncertainties
-    contacts: Annotated[tuple[ContactRecord, ...], Len(2, 6)]
+    contacts: Annotated[tuple[ContactNumbers, ...], Len(2, 6)]
     compared: Mapping[Compared, Verdict]  # the worst verdict on contacts, film and friction
     solved: SceneTorque | None = field(metadata=UNWRITTEN)  # the torque, which JSON holds as follows
     torque: TorqueContent | None
@@ -177,22 +142,18 @@ class Report:
         """The load of the pocket, N, as the page says it."""
         return f"{self.contacts[-1].load:g}"
 
-    def contact_of(self, picture: PictureFile) -> ContactRecord:
+    def contact_of(self, picture: PictureFile) -> ContactNumbers:
         """The contact that a picture shows."""
         return next(each for each in self.contacts if _place_of(each) == _place_of(picture))
 
-    def verdicts_on(self, contact: ContactRecord) -> dict[str, VerdictRow]:
-        """The verdicts on one contact, by quantity."""
-        return {row.quantity: row for row in self.verdicts if _place_of(row) == _place_of(contact)}
 
-
-def _place_of(part: ContactRecord | VerdictRow | PictureFile) -> tuple[OfPair | None, Pair, Shape]:
+def _place_of(part: ContactNumbers | PictureFile) -> tuple[OfPair | None, Pair, Shape]:
     return part.bearing, part.pair, part.geometry
 
 
 def report_of(result: Validation, *, pictures: Sequence[PictureFile] = ()) -> Report:
     """The report of a check."""
-    verdicts, contacts = result.verdicts, tuple(contact_record(contact) for contact in result.contacts)
+    verdicts, contacts = result.verdicts, tuple(contact.numbers for contact in result.contacts)
     films, creep = tuple(film.numbers for film in result.films), tuple(creep.numbers for creep in result.creep)
     torque, change = result.torque, result.torque_change
     return Report(
@@ -202,8 +163,6 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = ()) -> Re
         physical=verdicts.physical,
         report=result.scene.report,
         tolerance=result.tolerance,
-        verdicts=tuple(row for contact in result.contacts if contact.judged for row in _verdicts(contact)),
-        uncertainties=Uncertainties(**WHY),
         contacts=contacts,
         compared=result.compared,
         solved=torque,
@@ -225,24 +184,6 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = ()) -> Re
         provenance=result.provenance,
         pictures=tuple(pictures),
     )
-
-
-def _verdicts(contact: ContactSolution) -> Iterator[VerdictRow]:
-    """A row for each quantity of a contact."""
-    for name, part in contact.estimates.items():
-        yield VerdictRow(
-            pair=contact.contact.pair,
-            geometry=contact.geometry,
-            quantity=name,  # pyright: ignore[reportArgumentType]
-            production=getattr(contact.hertz, name),
-            reference=part.value,
-            discrepancy=contact.discrepancy[name],
-            uncertainty=part.total,
-            exceeds_uncertainty=contact.exceeds_uncertainty[name],
-            comparison=contact.comparisons[name],
-            verdict=contact.verdicts[name],
-            bearing=contact.bearing,
-        )
 
 
 def change_record(change: TorqueChange) -> ChangeRecord:

@@ -158,7 +158,7 @@ def _is_radial(grid: Grid) -> bool:
 
 def _contact(grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp]) -> dict[str, Any]:
     """The columns of a contact, and its warnings."""
-    from fembearing.check.contact.discrepancy import solve_contact
+    from fembearing.check.contact.solution import solve_contact
 
     settings: dict[str, Any] = grid.settings(variant)
     solution = solve_contact(
@@ -168,7 +168,7 @@ def _contact(grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp]) 
         accuracy=settings.get("accuracy"),
         geometry=settings.get("geometry", "real"),
     )
-    return {**solution.columns(), of_contact.VERDICT: solution.shown_verdict, "warnings": solution.warnings}
+    return {**solution.columns(), of_contact.VERDICT: solution.numbers.verdict, "warnings": solution.numbers.warnings}
 
 
 def _torque(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> dict[str, Any]:

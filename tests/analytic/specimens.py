@@ -5,8 +5,15 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from analytic.contact.geometry import RACES
+from analytic.contact.hertz import HertzContact, HertzNumbers, loaded_contact
 from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
 from analytic.effects import COMPUTED, Effect
+from analytic.loads.kinematics import ruled_motion
+from analytic.loads.numbers import bearing_numbers
+from analytic.loads.race_contacts import contact_under
+from analytic.loads.thrust import thrust_equilibrium
+from analytic.numerics.records import Records
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import (
     Autocorrelation,
@@ -20,6 +27,7 @@ from analytic.scene import (
     Scene,
     Surface,
 )
+from analytic.torque import loaded_balls_of
 from tests.contacts import STEEL
 
 # Table 1 of the paper, typed in a second time, so that an error in the catalog shows.
@@ -85,6 +93,35 @@ def hertzian(values: dict[str, Any]) -> tuple[ContactNumbers, dict[str, Any]]:
     axes = {name: given.pop(name) for name in ("semi_axis_rolling", "semi_axis_transverse") if name in given}
     rest = {name: value for name, value in values.items() if name not in names}
     return elliptic_contact(**given)._replace(**axes), rest
+
+
+def loaded_contacts(balls: Records) -> tuple[HertzContact, HertzContact]:
+    """Of both races under the loads of the balls, (...) of `analytic.loads.state.BALL_STATE`."""
+    units = (balls["inner_unit"], balls["outer_unit"])
+    each = (HertzContact(**{name: unit[name] for name in HertzNumbers._fields}) for unit in units)
+    inner, outer = (loaded_contact(unit, load=balls["load"][..., side]) for side, unit in enumerate(each))
+    return inner, outer
+
+
+def contacts_under_thrust(bearing: Bearing, angle: ContactAngle, axial: float) -> tuple[ContactNumbers, ContactNumbers]:
+    """Of a ball on inner and outer race at rest; rates per unit ring speed."""
+    numbers, ball = bearing_numbers(bearing), thrust_equilibrium(bearing, angle, axial_load=axial)
+    motion = ruled_motion(numbers, 1.0, *ball["angle"].tolist())
+    rates = motion.inner_rolling_rate, motion.outer_rolling_rate
+    speeds = motion.inner_entrainment, motion.outer_entrainment
+    inner, outer = (
+        contact_under(race, ball[f"{name}_unit"][()], *(float(ball[of][side]) for of in ("angle", "load")), *rolls)
+        for side, (name, race, *rolls) in enumerate(
+            zip(RACES, (numbers.inner, numbers.outer), rates, speeds, strict=True)
+        )
+    )
+    return inner, outer
+
+
+def balls_of(scene: Scene, **effects: Decision) -> Records:
+    """(n, m) `analytic.solve.records.BALL` by Hertz and without weight but by these effects."""
+    plain: dict[str, Decision] = {"finite_geometry": "off", "weight": "off", **effects}
+    return loaded_balls_of(replace(scene, effects={**scene.effects, **plain}))
 
 
 def with_clearance(bearing: Bearing, clearance: float, *, ball_count: int = 9) -> Bearing:

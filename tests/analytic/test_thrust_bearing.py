@@ -12,13 +12,14 @@ from analytic.contact.geometry import race_contact, race_curvatures, shoulder_di
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.errors import InputError
-from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
+from analytic.loads.kinematics import ruled_motion
+from analytic.loads.numbers import bearing_numbers
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.oil.rolling import hydrodynamic_rolling
 from analytic.scene import Autocorrelation, Bearing, ContactAngle, Groove, Operation, Scene, Surface
 from analytic.torque import friction_torque
 from tests.analytic.specimens import OIL as USUAL_OIL
-from tests.analytic.specimens import part, thrust
+from tests.analytic.specimens import loaded_contacts, part, thrust
 from tests.contacts import STEEL
 from tests.refusals import refused
 
@@ -39,7 +40,6 @@ OIL = replace(USUAL_OIL, eyring_stress=6e6, limiting_shear=0.07)
 FINISH = Surface(
     rms_roughness=0.05e-6, autocorrelation=Autocorrelation(kind="gaussian", length=30e-6, spacing=2e-6), hardness=7.8e9
 )
-STILL = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
 
 
 def scene_of(operation: Operation, **changed: Any) -> Scene:
@@ -53,23 +53,19 @@ def contact_by_hand(load: float) -> HertzContact:
     )
 
 
-def balls_under(axial: float, speed: float) -> LoadedBalls:
-    return thrust_balls(BEARING, RIGHT, thrust(axial, speed=speed), STILL)
-
-
 def test_every_ball_carries_its_share_at_a_right_angle() -> None:
     balls = thrust_equilibrium(BEARING, RIGHT, axial_load=[330.0, 2300.0])
     for index, axial in enumerate((330.0, 2300.0)):
-        np.testing.assert_allclose(balls.ball_load[index], axial / COUNT, rtol=1e-14)  # round-off
+        np.testing.assert_allclose(balls["load"][index], axial / COUNT, rtol=1e-14)  # round-off
         by_hand = contact_by_hand(axial / COUNT)
-        for race in (balls.inner, balls.outer):
+        for race in loaded_contacts(balls):
             for name in ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach"):
                 np.testing.assert_allclose(getattr(race, name)[index], getattr(by_hand, name), rtol=1e-12)  # round-off
-    assert np.all(balls.contact_angle == np.pi / 2)
+    assert np.all(balls["angle"] == np.pi / 2)
 
 
 def test_balls_roll_at_half_the_speed_of_the_washer() -> None:
-    motion = balls_under(700.0, 40.0).motion
+    motion = ruled_motion(bearing_numbers(BEARING), 1.0, np.pi / 2, np.pi / 2)
     for name, expected in (
         ("cage_speed", 1 / 2),
         ("inner_entrainment", PITCH / 4),

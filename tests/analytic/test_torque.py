@@ -7,6 +7,7 @@ import pytest
 
 import analytic
 from analytic.contact.factors import ContactCorrection, ContactFactors
+from analytic.loads.state import approaches
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Decision, Scene
@@ -86,12 +87,13 @@ def test_a_corrected_approach_moves_the_equilibrium(scene: Scene) -> None:
     al, bearing = float(found.contact_angle[0]), asked.bearing
     np.testing.assert_allclose(bearing.ball_count * found.ball_load * np.sin(al), 430.0, rtol=1e-13)  # round-off
     hertz = thrust_equilibrium(bearing, ContactAngle(rule="given", value=al), axial_load=430.0)
-    approach = factors["inner"] * hertz.inner.approach + factors["outer"] * hertz.outer.approach
+    inner, outer = approaches(hertz)
+    approach = factors["inner"] * inner + factors["outer"] * outer
     distance = bearing.groove_centre_distance
     np.testing.assert_allclose((distance + approach) * np.cos(al), distance * np.cos(0.18), rtol=1e-13)  # round-off
-    np.testing.assert_allclose(found.inner.approach, 1.08 * hertz.inner.approach, rtol=1e-13)
+    np.testing.assert_allclose(found.inner.approach, 1.08 * inner, rtol=1e-13)
     assert abs(al - friction_torque(asked).contact_angle[0]) > 1e-5
-    stiffness = thrust_equilibrium(bearing, SOLVED, axial_load=430.0, correction=correction).outer.stiffness
+    stiffness = thrust_equilibrium(bearing, SOLVED, axial_load=430.0, correction=correction)["outer_unit"]["stiffness"]
     np.testing.assert_allclose(stiffness, found.outer.load / found.outer.approach**1.5, rtol=1e-13)
 
 

@@ -5,12 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.rows import OperatingPoint
 from analytic.scene import ContactAngle, Operation, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from fembearing.check import sensitivity
-from fembearing.check.sensitivity import END, Input, Output, Sensitivity, sensitivity_of
+from fembearing.check.sensitivity import END, Input, Sensitivity, sensitivity_of
 from fembearing.plain_types import plain
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed, scene
 
@@ -162,37 +161,10 @@ def test_an_end_that_is_refused_is_left_open_and_told(dry: Scene) -> None:
     assert (entry["change_high"], entry["refused"]) == (None, [reason])
 
 
-TORQUE = Output(
-    quantity="total_torque", pair=None, inner_speed=30.0, axial_load=700.0, radial_load=0.0, moment=0.0, value=3e-3
-)
-NO_POINT = {"inner_speed": None, "axial_load": None, "radial_load": None, "moment": None}
-PRESSURE = replace(TORQUE, quantity="peak_pressure", pair="inner", value=1.7e9, **NO_POINT)
 INPUT = Input(
     name="bearing.ball_diameter", unit="m", value=7.9e-3, low=7.8e-3, high=8e-3, source="given",
     change_low=(-0.02,), change_high=(0.03,), refused=(),
 )  # fmt: skip
-
-
-def test_a_torque_belongs_to_a_point_and_a_pressure_to_a_race() -> None:
-    assert TORQUE.point == OperatingPoint(inner_speed=30.0, axial_load=700.0, radial_load=0.0, moment=0.0)
-    assert PRESSURE.point is None
-    for wrong in (
-        lambda: replace(TORQUE, moment=None),
-        lambda: replace(TORQUE, pair="outer"),
-        lambda: replace(PRESSURE, pair=None),
-        lambda: replace(PRESSURE, inner_speed=30.0, axial_load=700.0, radial_load=0.0, moment=0.0),
-    ):
-        with pytest.raises(ValueError, match="of no operating point or race"):
-            wrong()
-
-
-def test_changes_belong_to_the_outputs_which_are_of_one_kind() -> None:
-    Sensitivity(outputs=(TORQUE,), inputs=(INPUT, replace(INPUT, change_high=None)))
-    with pytest.raises(ValueError, match="outputs of two kinds"):
-        Sensitivity(outputs=(TORQUE, PRESSURE), inputs=())
-    for wrong in (replace(INPUT, change_low=(0.1, 0.2)), replace(INPUT, change_high=())):
-        with pytest.raises(ValueError, match="belong together"):
-            Sensitivity(outputs=(TORQUE,), inputs=(wrong,))
 
 
 def test_the_swing_is_the_largest_change_at_either_end() -> None:

@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from analytic.loads.finite_geometry import thrust_correction
+from analytic.loads.finite_geometry import corrections_of
+from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
+from fembearing.check.comparison import compared
 from fembearing.check.torque_change import TorqueChange, change_of_torque
-from fembearing.grid_convergence import Estimate
 from fembearing.report.report import change_record
 from tests.analytic.scenefile.scene_texts import LUBRICANT, SURFACE
 from tests.analytic.specimens import present
@@ -41,14 +42,8 @@ NAMES = ("semi_axis_rolling", "semi_axis_transverse", "approach")
 
 def solution(uncertainty: float = 0.0, **ratios: float) -> Any:
     """All that is read of a solved contact; `ratios` are finite elements over Hertz."""
-    return SimpleNamespace(
-        verdict="pass",
-        discrepancy={name: 1 / ratios.get(name, 1.0) - 1 for name in NAMES},
-        estimates={
-            name: Estimate(values=(1.3,), order=2.0, richardson=None, mesh=0.8 * uncertainty, domain=0.6 * uncertainty)
-            for name in NAMES
-        },
-    )
+    found = {name: compared(1.3, 1.3 * ratios.get(name, 1.0), 1.3 * uncertainty) for name in NAMES}
+    return SimpleNamespace(numbers=SimpleNamespace(verdict="pass", quantities=found))
 
 
 def change_in(scene: Scene, **contacts: Any) -> TorqueChange:
@@ -134,7 +129,7 @@ def test_nothing_is_claimed_at_loads_that_were_not_solved() -> None:
 
 def test_the_change_carries_the_worse_verdict_of_its_contacts() -> None:
     sound, bad = solution(), solution()
-    bad.verdict = "outside validity"
+    bad.numbers.verdict = "outside validity"
     for inner, outer in ((sound, bad), (bad, sound)):
         assert change_record(change_in(FIXED, inner=inner, outer=outer)).verdict == "outside validity"
 
@@ -146,7 +141,7 @@ def test_the_correction_for_finite_geometry_knows_every_load() -> None:
     low, high = found.relative
     assert high < low < 0  # the contact is shorter across, the more so the larger it is
     bearing, load = FIXED.bearing, FIXED.operation.axial_load
-    factors = thrust_correction(bearing, FIXED.contact_angle, axial_load=load)
+    factors = corrections_of(bearing, thrust_equilibrium(bearing, FIXED.contact_angle, axial_load=load))
     squares = [np.asarray(side.factors.semi_axis_transverse) ** 2 for side in (factors.inner, factors.outer)]
     own, changed = change.own.torque, found.torque.torque
     ratio = present(changed.conformity) / present(own.conformity)
@@ -190,7 +185,7 @@ def test_the_total_is_that_of_the_production_with_what_the_races_change() -> Non
 def test_contacts_that_are_those_of_the_fit_change_nothing_where_the_production_has_it() -> None:
     """At one load, so that the fit has one factor for each race; without the fit they change what it does."""
     one = replace(FIXED, operation=replace(FIXED.operation, axial_load=np.array([900.0]), inner_speed=np.array([9.4])))
-    fit = thrust_correction(one.bearing, one.contact_angle, axial_load=np.array([900.0]))
+    fit = corrections_of(one.bearing, thrust_equilibrium(one.bearing, one.contact_angle, axial_load=np.array([900.0])))
     contacts = {
         race: solution(**{name: float(np.asarray(getattr(side.factors, name))[0]) for name in NAMES})
         for race, side in (("inner", fit.inner), ("outer", fit.outer))

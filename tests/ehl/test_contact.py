@@ -255,3 +255,17 @@ def test_oil_reaches_to_the_mean_of_both_shoulders_or_to_the_balls_outline() -> 
     given = lubricated_contact(RACE, oil=OIL, entrainment_speed=0.47, ahead=1.1e-3, behind=1.3e-3)
     assert (given.reach.ahead, given.reach.behind) == (1.1e-3, 1.3e-3)
     assert lubricated_contact(RACE, oil=OIL, entrainment_speed=0.47).reach.behind == pytest.approx(0.9 * 3.97e-3)
+
+
+def test_numbers_of_moes_are_those_of_their_definition() -> None:
+    """With E' = 2 E*: U = eta_0 2 u/(E' R_x), M = Q/(E' R_x^2) U^(-3/4), L = alpha E' U^(1/4)."""
+    contact = replace(changed(), load=31.0, speed=1.7)
+    twice, radius, oil = 2 * contact.modulus, contact.shape.radii[0], contact.oil
+    relative = oil.viscosity * 2 * 1.7 / (twice * radius)
+    assert contact.relative_speed == pytest.approx(relative, rel=1e-12)
+    assert contact.loading == pytest.approx(31.0 / (twice * radius**2) / relative**0.75, rel=1e-12)
+    assert contact.thickening == pytest.approx(oil.pressure_viscosity * twice * relative**0.25, rel=1e-12)
+    assert contact.film_scale == pytest.approx(radius * relative**0.5, rel=1e-12)
+    assert contact.force_scale == pytest.approx(twice * radius**2 * relative, rel=1e-12)
+    a, b = contact.semi_axes
+    assert contact.peak_pressure * 2 / 3 * np.pi * a * b == pytest.approx(31.0, rel=1e-12)  # of a semi-ellipsoid

@@ -11,9 +11,11 @@ from analytic.scene import Contact
 from fembearing.fem.elasticity import strip_integrals, surface_mass
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import (
+    STRIP,
     nodal_pressure,
     peak_pressure,
     semi_axis,
+    shoulder_load,
     uncut_semi_axes,
 )
 from fembearing.mesh.pair import PairMesh, pair_mesh
@@ -120,3 +122,12 @@ def test_the_uncut_side_alone_tells_the_ellipse() -> None:
     for share in (1.0, 3.0):  # of the forces beyond y = 0
         found = uncut_semi_axes(x, y, np.where(y > 0, share * force, force))
         np.testing.assert_allclose(found, expected, rtol=1e-12)  # round-off
+
+
+def test_a_strip_of_an_even_line_load_has_its_share() -> None:
+    """q N/m from -s to s: a strip of 0.1 s has a twentieth of it, half on one side of x = 0."""
+    line, shoulder = 3.1e5, 0.7e-3
+    load = 2 * shoulder * line
+    found = shoulder_load(centroid=-0.1e-3, strip_force=line * STRIP * shoulder / 2, shoulder=shoulder, load=load)
+    np.testing.assert_allclose((found.strip_share, found.strip_line_load), (STRIP / 2, line), rtol=1e-12)
+    assert found.centroid == -0.1e-3

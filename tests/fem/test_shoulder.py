@@ -8,12 +8,16 @@ import numpy as np
 import pytest
 from skfem import MeshHex2
 
+from analytic.contact.geometry import cut_off_share
+from analytic.errors import InputError
 from analytic.scene import Contact
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.fem.condensation import held_stiffness, middle_plane
 from fembearing.fem.farfield import point_load, pressed_ellipse
 from fembearing.fem.measure import STRIP
+from fembearing.fem.ring_structure import ring_compression
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
+from fembearing.fem.subsurface import subsurface_stress
 from fembearing.mesh import pair as pair_module
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import Footprint, Sides
@@ -155,6 +159,33 @@ def test_the_far_field_of_a_cut_ellipse_is_that_of_its_points(
         at = [np.array([part]) for part in place]
         found = pressed_ellipse(*at, semi_axes=(a, b), shoulders=shoulders, material=material)
         np.testing.assert_allclose(found[:, 0], expected, rtol=2e-3)  # the sum's own: its strips end between points
+
+
+def test_functions_for_a_symmetric_contact_refuse_half_of_one(cut: MeshSolution) -> None:
+    with pytest.raises(InputError, match="no axis of symmetry"):
+        subsurface_stress(cut)
+    with pytest.raises(InputError, match="reaches over"):
+        ring_compression(cut, recipe=load_recipe("race"))
+
+
+def least_loss(y: np.ndarray, force: np.ndarray, semi_axis: float) -> float:
+    """Of a contact that rolls freely with Coulomb friction: slip is y^2/b^2 less what loses least, over load."""
+    return min(float(force @ np.abs((y / semi_axis) ** 2 - even)) for even in np.linspace(0, 1, 401)) / force.sum()
+
+
+def test_a_cut_contact_loses_less_by_one_to_two_shares_of_what_is_cut_off(
+    contacts: dict[str, Contact], cut: MeshSolution
+) -> None:
+    """The share beyond the shoulder by Hertz's parabola; with nothing cut off the loss does not change."""
+    whole = solve_on_mesh(
+        replace(contacts["inner"], contact_angle=0.0), recipe=load_recipe("race"), level=2, semi_axes=SEMI_AXES
+    )
+    before = least_loss(np.append(whole.y, -whole.y), np.append(whole.force, whole.force), 0.946e-3)
+    share = float(cut_off_share(0.8e-3, 0.946e-3))
+    y = np.linspace(0.8e-3, 0.946e-3, 2001) / 0.946e-3
+    assert share == pytest.approx(0.75 * np.trapezoid(1 - y**2, y), rel=1e-5)  # a parabola of unit load
+    change = least_loss(cut.y, cut.force, 0.946e-3) / before - 1
+    assert 0.5 * share < -change < 2 * share
 
 
 def sided(contact: Contact, *, near: float, far: float, sides: Sides) -> MeshSolution:

@@ -8,10 +8,10 @@ import pytest
 
 from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.contact.subsurface import axis_stress, subsurface_maximum
-from analytic.scene import Contact, Material, Wall
+from analytic.scene import Array, Contact, Material, Wall
 from fembearing.fem.condensation import condense
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
-from fembearing.fem.subsurface import Side, SubsurfaceStress, body_displacement, subsurface_stress
+from fembearing.fem.subsurface import Side, SubsurfaceStress, _greatest, body_displacement, subsurface_stress
 from fembearing.mesh.recipe import load_recipe
 from tests import contacts
 from tests.contacts import NITRIDE, STEEL
@@ -149,6 +149,21 @@ def test_the_maxima_are_those_of_the_curve(ideal: MeshSolution) -> None:
     np.testing.assert_allclose(found.depth[-1], 3 * min(ideal.pair.semi_axes), rtol=1e-12)
     x, y, z = found.stress
     np.testing.assert_allclose(found.max_shear, np.max(np.abs([x - y, y - z, z - x]), axis=0) / 2, rtol=1e-12)
+
+
+def test_the_greatest_value_is_refined_between_the_points_of_its_curve() -> None:
+    """A parabola whose top, 7.31 at a depth of 0.4 um, lies between points; and one that is greatest on the surface."""
+    depth = np.linspace(0.0, 1.1e-6, 5)
+
+    def inside(z: Array) -> Array:
+        return 7.31 - (3e6 * (z - 0.4e-6)) ** 2
+
+    np.testing.assert_allclose(_greatest(depth, inside(depth), inside), (7.31, 0.4e-6), rtol=1e-5)  # xatol: 1e-6
+
+    def falling(z: Array) -> Array:
+        return 5.2 - 3e6 * z
+
+    assert _greatest(depth, falling(depth), falling) == (5.2, 0.0)
 
 
 @pytest.mark.nightly

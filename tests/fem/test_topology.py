@@ -187,3 +187,78 @@ def test_threads_do_not_change_a_bit(
     with ThreadPoolExecutor(len(chosen)) as pool:
         for one, together in zip(alone, pool.map(solve, chosen), strict=True):
             np.testing.assert_array_equal(together, one)
+
+
+def test_numbers_of_nodes_change_nothing() -> None:
+    """One cell among held nodes without cells: few, and so many that the product of two numbers needs 64 bits."""
+    cells: Any = np.random.default_rng(5).permutation(27)[:, None].astype(np.int32)  # as scikit-fem has them
+    held = np.zeros((3, 27), dtype=bool)
+    held[:, [3, 8]] = True
+    entries = np.random.default_rng(6).uniform(-2.0, 3.0, (topology.Topology(cells, held)._place.size,))
+    plain = topology.Topology(cells, held).assembled(entries).toarray()
+    for number, nodes in ((np.arange(27) + 1, 29), (np.arange(27) * 2600 + 4, 70_000)):
+        spread = np.ones((3, nodes), dtype=bool)
+        spread[:, number] = held
+        far: Any = number.astype(np.int32)[cells]
+        moved = topology.Topology(far, spread)
+        np.testing.assert_array_equal(moved.assembled(entries).toarray(), plain)
+
+
+def test_other_held_nodes_are_another_topology(pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch) -> None:
+    store = kept(monkeypatch)
+    body = pairs[0].lower
+    first = held_stiffness(body, material=STEEL, semi_axes=SIZES[0])
+    other = held_stiffness(replace(body, far=body.far[1:]), material=STEEL, semi_axes=SIZES[0])
+    assert other.topology is not first.topology
+    assert held_stiffness(body, material=NITRIDE, semi_axes=SIZES[1]).topology is first.topology
+    assert len(store) == 2
+
+
+def failing(phase: int, words: str) -> type:
+    """PARDISO whose `phase` fails once, as the package says it."""
+
+    class Failing(factor.PardisoSolver):
+        fails = True
+
+        def run_phase_into(self, asked: int, right: Array, found: Array) -> None:
+            if asked == phase and self.fails:
+                self.fails = False
+                raise RuntimeError(f"PARDISO phase {phase} failed: {words}")
+            super().run_phase_into(asked, right, found)
+
+    return Failing
+
+
+@has_pardiso
+@pytest.mark.parametrize(("words", "error"), [("not enough memory", MemoryError), ("zero pivot", factor.LinAlgError)])
+def test_pardisos_errors_get_a_kind(words: str, error: type[Exception], monkeypatch: pytest.MonkeyPatch) -> None:
+    upper = csr_matrix([[4.0, 1.0], [0.0, 3.0]])
+    monkeypatch.setattr(factor, "PardisoSolver", failing(factor.NUMBERS, words))
+    made = factor.PardisoFactor(upper, csr_matrix((2, 0)))
+    with pytest.raises(error, match=words):
+        made.solution(upper, np.ones(2))
+    np.testing.assert_allclose(made.solution(upper, np.ones(2)), [2 / 11, 3 / 11], rtol=1e-14)  # as good as before
+
+
+@has_pardiso
+@pytest.mark.parametrize(
+    ("given", "threads"),
+    [
+        ({"MKL_NUM_THREADS": "3", "OMP_NUM_THREADS": "5"}, 3),
+        ({"OMP_NUM_THREADS": "5"}, 5),
+        ({"MKL_NUM_THREADS": "0", "OMP_NUM_THREADS": " 2,4"}, 2),  # of nested threads the outer ones
+        ({"MKL_NUM_THREADS": "many", "OMP_NUM_THREADS": "1"}, 1),
+        ({}, None),
+    ],
+)
+def test_threads_are_those_that_the_environment_gives(
+    given: dict[str, str], threads: int | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("MKL_NUM_THREADS", "OMP_NUM_THREADS"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in given.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr("os.sched_getaffinity", lambda _: set(range(7)), raising=False)
+    assert factor.solver_threads() == (7 if threads is None else threads)
+    monkeypatch.setattr(factor, "PardisoSolver", None)
+    assert factor.solver_threads() == 1

@@ -15,6 +15,7 @@ from fembearing.fem.compliance import (
     EVEN,
     WHOLE,
     PairCompliance,
+    _normal_of_race,
     pair_compliance,
     tangent_frame,
     values_of,
@@ -28,8 +29,9 @@ from fembearing.fem.twin import shared_axes
 from fembearing.mesh.bodies import Block, BodyMesh
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.half_space import flat_block
+from fembearing.mesh.race import race_height
 from fembearing.mesh.recipe import load_recipe
-from tests.contacts import NITRIDE
+from tests.contacts import NITRIDE, PEEK
 
 Array = NDArray[np.float64]
 RECIPE = load_recipe("race")
@@ -108,6 +110,22 @@ def test_a_half_space_works_as_on_rectangles(by_rectangles: Array, side: int) ->
     np.testing.assert_allclose(found / np.outer(size, size), found.T / np.outer(size, size), atol=1e-4)
 
 
+def test_a_half_space_adds_nothing_on_either_side() -> None:
+    upper, lower = (
+        worked(
+            body,
+            material=NITRIDE,
+            directions=FRAME * np.array([1, 1, side])[:, None],
+            terms=WHOLE,
+            force=sampled(body),
+            depth=side,
+        )
+        for side in (1, -1)
+        for body in (flat(1, side),)
+    )
+    np.testing.assert_allclose(upper, lower, atol=1e-11 * np.abs(upper).max())  # round-off
+
+
 def axes_of(contact: Contact) -> tuple[float, float]:
     return shared_axes(expected_semi_axes(contact, geometry="real"))
 
@@ -138,6 +156,19 @@ def on_plane(contact: Contact, race: Material) -> PairCompliance:
 @pytest.fixture(scope="module")
 def on_flat(contacts: dict[str, Contact]) -> PairCompliance:
     return on_plane(contacts["inner"], NITRIDE)
+
+
+def test_a_plane_adds_nothing_however_soft(contacts: dict[str, Contact], on_flat: PairCompliance) -> None:
+    """Beside its own yielding, 50 times that of the ball, where one direction of a push would be as large."""
+    soft = on_plane(contacts["inner"], PEEK)
+    x, y, load = disk()
+    a, _ = soft.semi_axes
+    place = a * x, a * y
+    approach = approach_under((a, a), load=1.0, modulus=contact_modulus(soft.contact))
+    push = load * np.array([np.ones_like(x) + x, 0.7 - y, 1.1 + 0 * x])
+    found, ball = (moved(each, push, place=place, loaded=place) / approach for each in (soft, on_flat))
+    # Columns of the plane start where the normals of the ball meet it: a 2 % wider grid than that of its twin.
+    np.testing.assert_allclose(np.ptp(found - ball, axis=1), 0, atol=0.02)
 
 
 Places = tuple[Array, Array]
@@ -174,6 +205,29 @@ def test_a_sphere_on_a_plane_has_no_direction(on_flat: PairCompliance, turn: flo
     for component in range(3):
         size = np.ptp(expected[component])
         np.testing.assert_allclose(found[component] / size, expected[component] / size, atol=allowed)
+
+
+@pytest.mark.parametrize("pair", ["inner", "outer"])
+def test_a_first_level_is_near_a_second_one(contacts: dict[str, Contact], pair: str) -> None:
+    """Each load by Hertz's form times a term; the error is over the approach of that load along the normal."""
+    contact = contacts[pair]
+    axes = axes_of(contact)
+    first, second = (whole(contact, level) for level in (1, 2))
+    x, y, load = disk()
+    place = axes[0] * x, axes[1] * y
+    approach = approach_under(axes, load=1.0, modulus=contact_modulus(contact))
+    largest = 0.0
+    for axis in (ALONG, ACROSS):
+        for term in (np.ones_like(x), x, y, x * y):
+            for moves in (ALONG, ACROSS):
+                coarse, fine = (
+                    each.added_influence(place, place, moves=moves, by=axis) @ (load * term) / approach
+                    for each in (first, second)
+                )
+                coarse, fine = (each - np.average(each, weights=load) for each in (coarse, fine))
+                largest = max(largest, float(np.ptp(fine)))
+                assert np.abs(coarse - fine).max() < 6e-3, (axis, moves)
+    assert largest > 0.02  # what is added counts
 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
@@ -243,6 +297,28 @@ def test_a_contact_that_a_shoulder_cuts_off_is_refused(contacts: dict[str, Conta
     with pytest.raises(InputError, match=r"372 N .* past its shoulder .* or take half spaces") as caught:
         whole(contact, 1)
     assert "\n" not in str(caught.value)
+
+
+def test_only_what_was_sampled_is_known(contacts: dict[str, Contact]) -> None:
+    contact = contacts["outer"]
+    even = pair_compliance(contact, recipe=RECIPE, level=1, semi_axes=expected_semi_axes(contact, geometry="real"))
+    place: tuple[Array, Array] = (np.zeros(1), np.zeros(1))
+    axis: Axis = ALONG
+    with pytest.raises(AssertionError):
+        even.added_influence(place, place, moves=axis, by=axis)
+
+
+@pytest.mark.parametrize("pair", ["inner", "outer"])
+def test_normals_of_a_race_point_away_from_the_circle_of_its_groove(contacts: dict[str, Contact], pair: str) -> None:
+    """That circle lies about the ring's axis, which runs along y through z = -R."""
+    contact = replace(contacts[pair], contact_angle=0.0)
+    x, y = np.array([0.0, 0.7e-3, -0.4e-3, 1.1e-3]), np.array([0.0, 0.9e-3, 1.6e-3, -1.3e-3])
+    place = np.array([x, y, race_height(contact, x, y) + contact.rolling_radius])
+    from_axis = np.hypot(place[0], place[2])
+    circle = abs(contact.rolling_radius) + np.sign(contact.rolling_radius) * contact.groove_radius
+    inwards = place - circle / from_axis * place * np.array([[1.0], [0.0], [1.0]])
+    # Heights over steps of a millionth of the ball's radius have nine digits.
+    np.testing.assert_allclose(_normal_of_race(contact, x, y), inwards / contact.groove_radius, atol=1e-7)
 
 
 def test_a_frame_on_a_surface_is_turned_upright_about_a_level_axis() -> None:

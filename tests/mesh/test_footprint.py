@@ -8,7 +8,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Contact
-from fembearing.mesh.footprint import Footprint, footprint_of
+from fembearing.mesh.footprint import Footprint, footprint_of, is_symmetric
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.recipe import load_recipe
@@ -133,3 +133,10 @@ def test_contact_is_possible_up_to_both_shoulders_and_on_them() -> None:
     held = Footprint(semi_axes=(0.1e-3, 0.9e-3), shoulders=(0.6e-3, 0.8e-3))
     y = np.array([-0.6001e-3, -0.6e-3 * (1 + 1e-12), -0.1e-3, 0.7e-3, 0.8e-3 * (1 + 1e-12), 0.8001e-3])
     assert held.holds(y).tolist() == [False, True, True, True, True, False]
+
+
+def test_sides_are_alike_with_equal_shoulders_and_no_tilt(contacts: dict[str, Contact]) -> None:
+    alike = replace(contacts["inner"], shoulder=1.3e-3, far_shoulder=1.3e-3, contact_angle=0.0)
+    assert is_symmetric(alike)
+    assert not is_symmetric(replace(alike, contact_angle=0.2))
+    assert not is_symmetric(replace(alike, far_shoulder=1.4e-3))

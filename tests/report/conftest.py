@@ -14,8 +14,9 @@ from analytic.scene import Operation
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.check.cage_record import CageRecord, record_cage
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.comparison import compared_with, verdict_on, worst
 from fembearing.check.contact.hertz import CorrectedHertz
+from fembearing.check.contact.solution import ContactSolution, MeshCost
 from fembearing.check.cost.contact_ladder import contact_ladder_of
 from fembearing.check.torque_change import FittedChange, TorqueChange
 from fembearing.check.validation import Validation
@@ -135,6 +136,7 @@ def contact_made(
     unknowns: tuple[int, int, int],
     seconds: tuple[float, float, float],
     corrected: CorrectedHertz | None = None,
+    valid: bool = True,
 ) -> ContactSolution:
     """The solution with these numbers in place of its own, on meshes of the levels 2, 3 and 5."""
     meshes = [
@@ -147,28 +149,35 @@ def contact_made(
         )
         for number, level in enumerate((2, 3, 5))
     ]
-    return replace(
-        solution,
-        contact=replace(solution.contact, load=load),
+    judged, quantities = solution.numbers.judged, {}
+    for name, part in given.items():
+        study = Estimate(
+            values=part.values,
+            order=part.order,
+            richardson=part.limit,
+            mesh=part.mesh,
+            domain=part.domain,
+            settled=part.order is not None,
+            grid_convergence_index=None if part.order is None else 3 * part.mesh,
+        )
+        verdict = verdict_on(part.hertz, study, tolerance=0.05, valid=valid) if judged else "shown"
+        quantities[name] = compared_with(study, part.hertz, verdict=verdict)
+    fitted = {} if corrected is None else vars(corrected.quantities)
+    numbers = replace(
+        solution.numbers,
+        load=load,
         tolerance=0.05,
-        hertz=Quantities(**{name: part.hertz for name, part in given.items()}),
-        estimates={
-            name: Estimate(
-                values=part.values,
-                order=part.order,
-                richardson=part.limit,
-                mesh=part.mesh,
-                domain=part.domain,
-                settled=part.order is not None,
-                grid_convergence_index=None if part.order is None else 3 * part.mesh,
-            )
-            for name, part in given.items()
-        },
-        meshes=tuple(meshes),
+        quantities=quantities,
+        verdict=worst(each.verdict for each in quantities.values()),
+        method="finite elements on three meshes",
+        meshes=tuple(MeshCost(level=each.level, unknowns=each.unknowns, seconds=each.seconds) for each in meshes),
         refinement="levels",
         warnings=(),
         corrected=corrected,
+        interpolation_error={name: value / quantities[name].reference - 1 for name, value in fitted.items()},
     )
+    contact = replace(solution.contact, load=load)
+    return replace(solution, numbers=numbers, contact=contact, meshes=tuple(meshes))
 
 
 def torque_made(torque: FrictionTorque, *, angle: list[float], total: list[float]) -> FrictionTorque:
@@ -221,10 +230,7 @@ def made(checked: Validation) -> Validation:
         contact_made(
             inner, INNER, load=371.5, unknowns=(1200, 9500, 31000), seconds=(0.25, 1.5, 7.0), corrected=CORRECTED
         ),
-        replace(
-            contact_made(outer, OUTER, load=368.5, unknowns=(1300, 8700, 29000), seconds=(0.32, 1.7, 6.0)),
-            valid=False,
-        ),
+        contact_made(outer, OUTER, load=368.5, unknowns=(1300, 8700, 29000), seconds=(0.32, 1.7, 6.0), valid=False),
         contact_made(seat, SEAT, load=28.5, unknowns=(1400, 9900, 41000), seconds=(0.43, 2.1, 8.0)),
         contact_made(sheet, SHEET, load=28.5, unknowns=(1600, 9100, 43000), seconds=(0.51, 2.6, 9.0)),
     )
@@ -234,7 +240,7 @@ def made(checked: Validation) -> Validation:
         scene=scene,
         provenance=provenance_of(scene),
         contacts=contacts,
-        ladders=tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
+        ladders=tuple(contact_ladder_of(contact) for contact in contacts if contact.numbers.judged),
         torque=replace(torque, scene=scene, friction=production, interval=None),
         torque_change=TorqueChange(
             production=production,

@@ -186,10 +186,11 @@ def page_agrees(check: Validation) -> None:
             assert float(start) == digits(TO_RPM * friction.inner_speed[number], 5)
             names = [*parts, "total"]
             assert [float(row[name]) for name in names] == [digits(1e3 * part[number], 4) for part in shown]
-    for row, contact in zip(tables_of(page, "contacts")[0], [c for c in check.contacts if c.judged], strict=True):
-        assert float(row["ball load, N"]) == digits(contact.contact.load, 4)
+    judged = [each.numbers for each in check.contacts if each.numbers.judged]
+    for row, contact in zip(tables_of(page, "contacts")[0], judged, strict=True):
+        assert float(row["ball load, N"]) == digits(contact.load, 4)
         pressures = [float(row["peak pressure, GPa: Hertz"]), float(row["finite elements"])]
-        reference = contact.estimates["peak_pressure"].value
+        reference = contact.reference.peak_pressure
         assert pressures == [digits(1e-9 * value, 4) for value in (contact.hertz.peak_pressure, reference)]
 
 

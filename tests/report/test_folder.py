@@ -47,8 +47,7 @@ def test_a_report_holds_page_numbers_pictures_and_meshes(solved: Validation, tmp
     assert names == made | {"report.html", "report.json", "cost.csv", LISTING}
     assert [path.name for path in tmp_path.iterdir()] == ["report"]  # nothing beside it
     content = json.loads((out / "report.json").read_text("utf-8"))
-    expected = plain(report_of(solved).verdicts)
-    assert content["verdicts"] == expected
+    assert content["contacts"] == plain(report_of(solved).contacts)
     assert {picture["file"] for picture in content["pictures"]} <= names
     assert [step for _, step in steps] == ["report"]
 

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from fembearing.check.contact import discrepancy, scene_contact
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact import scene_contact, solution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.mesh.recipe import Recipe
 from fembearing.sweep.run import run_sweep
 
@@ -20,8 +20,8 @@ def test_contacts_of_half_spaces_agree_with_hertz(
     """At every point of the sweep, Hertz's exact answer lies within the intervals of the finite elements."""
     monkeypatch.setattr(scene_contact, "load_recipe", shallow)
     solved: list[ContactSolution] = []
-    solve = discrepancy.solve_contact
-    monkeypatch.setattr(discrepancy, "solve_contact", lambda *a, **k: solved.append(solve(*a, **k)) or solved[-1])
+    solve = solution.solve_contact
+    monkeypatch.setattr(solution, "solve_contact", lambda *a, **k: solved.append(solve(*a, **k)) or solved[-1])
     path = grid_file(
         'pair = ["inner", "outer"]\nball_load = ["90 N"]',
         head='what = "contact"\ngeometry = "hertzian"\naccuracy = 0.03',
@@ -40,9 +40,9 @@ def test_contacts_of_half_spaces_agree_with_hertz(
     alone = solved[0].to_dataset()
     assert alone.attrs["pair"] == "inner"
     for name in QUANTITIES:
-        assert float(alone[name]) == float(found[name][0]) == solved[0].estimates[name].value
-        assert float(alone[f"hertz_{name}"]) == getattr(solved[0].hertz, name)
+        assert float(alone[name]) == float(found[name][0]) == solved[0].numbers.quantities[name].reference
+        assert float(alone[f"hertz_{name}"]) == solved[0].numbers.quantities[name].production
         assert alone[name].attrs["units"]
     table = solved[0]._repr_html_()
-    assert f"<td>{solved[0].estimates['approach'].value:.5g}</td>" in table
+    assert f"<td>{solved[0].numbers.reference.approach:.5g}</td>" in table
     assert table.count("<tr>") == 6

@@ -5,8 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from analytic.scenefile.read import load_scene
-from analytic.torque import MODEL_VERSION, friction_torque
+from analytic.torque import MODEL_VERSION
 from validation import model_version as table
 
 ROOT = Path(__file__).parents[2]
@@ -25,8 +24,3 @@ def test_the_torques_of_the_shipped_scenes_are_those_of_this_model_version() -> 
 
 def test_the_changelog_knows_the_model_version() -> None:
     assert re.search(rf"\bmodel version {MODEL_VERSION}\b", (ROOT / "CHANGELOG.md").read_text("utf-8"), re.IGNORECASE)
-
-
-def test_a_result_carries_the_model_version() -> None:
-    friction = friction_torque(load_scene("6205-dry"))
-    assert friction.provenance["model_version"] == str(MODEL_VERSION)

@@ -2,7 +2,7 @@
 
 Each line names a constant, its value and the new measurement, on random contacts of `intervals.py` as half spaces,
 where Hertz is exact, or against boundary elements. Not repeated here: `HALF`, `FINEST`, `UNSTEADY` and `LEAST`, which
-`intervals.py` tests, and `FADING`, which tests/check/contact/test_discrepancy.py tests.
+`intervals.py` tests, and `FADING`, which tests/check/contact/test_solution.py tests.
 """
 
 from dataclasses import replace
@@ -10,7 +10,6 @@ from typing import Annotated, Any
 
 import numpy as np
 import typer
-from rich.console import Console
 from rich.progress import track
 
 from analytic.contact.geometry import race_contact
@@ -18,7 +17,7 @@ from analytic.contact.hertz import contact_modulus, relative_curvatures
 from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, STRIP_LEAST
+from fembearing.check.contact.refinement import COMPARED, FORMAL_ORDERS, STRIP_LEAST
 from fembearing.check.contact.uncertainty import OFF_MESH
 from fembearing.fem.guess import MAJOR_SHRINKS, MINOR_GROWS, expected_semi_axes
 from fembearing.fem.measure import STRIP
@@ -27,17 +26,17 @@ from fembearing.fem.solution import GOOD_GUESS, condensed_pair, fitted_solution,
 from fembearing.grid_convergence import FINEST, HALF
 from fembearing.mesh.recipe import load_recipe
 from validation.benchmarks.intervals import random_contact
+from validation.study import out, progress, run
 
 SIZES = np.linspace(0.65, 1.35, 33)  # size of an ellipse over the size for which its mesh is made
 SEED = 3000
 SHOULDERS = (0.4e-3, 0.55e-3, 0.8e-3)  # m; the transverse semi-axis of Hertz's ellipse is 0.95 mm
 POINTS = 256  # of the boundary elements, in each direction
-out = Console(width=120, highlight=False)
 
 
 def main(contacts: Annotated[int, typer.Option(help="Number of random contacts.")] = 14) -> None:
     chosen = [ideal_contact(seed) for seed in range(SEED, SEED + contacts)]
-    sized = [mesh_size_errors(each) for each in track(chosen, description="sizes", console=Console(stderr=True))]
+    sized = [mesh_size_errors(each) for each in track(chosen, description="sizes", console=progress)]
     shift = np.array(sized)
     out.print(
         f"GOOD_GUESS {GOOD_GUESS}: a mesh for an ellipse {GOOD_GUESS:.0%} too large changes a quantity of the third "
@@ -49,7 +48,7 @@ def main(contacts: Annotated[int, typer.Option(help="Number of random contacts."
         f"MINOR_GROWS, MAJOR_SHRINKS {MINOR_GROWS:g}, {MAJOR_SHRINKS:g}: the first guess misses the ellipse of a ball "
         f"in a groove on the second level by up to {np.nanmax(missed):.2%}"
     )
-    beyond, plain = zip(*(off_mesh_errors(each) for each in track(chosen, console=Console(stderr=True))), strict=True)
+    beyond, plain = zip(*(off_mesh_errors(each) for each in track(chosen, console=progress)), strict=True)
     inside = (SIZES >= NARROWEST) & (SIZES <= WIDEST)
     out.print(
         f"OFF_MESH {OFF_MESH:.2%}: at {SIZES.size} sizes from {SIZES[0]:g} to {SIZES[-1]:g} of the mesh's, the error "
@@ -150,9 +149,7 @@ def boundary_elements(contact: Contact, *, semi_axes: tuple[float, float], point
     x, y = np.meshgrid((middle - 0.5) * sides[0], low + middle * sides[1], indexing="ij")
     curvature_x, curvature_y = relative_curvatures(contact)
     surface = -(float(curvature_x) * x**2 + float(curvature_y) * y**2) / 2
-    solver = tamaas.PolonskyKeerRey(
-        model, surface, 1e-9
-    )  # tolerance of the conjugate gradients; they stagnate at 1e-12
+    solver = tamaas.PolonskyKeerRey(model, surface, 1e-9)  # tolerance of conjugate gradients; they stagnate at 1e-12
     solver.setIntegralOperator("half space")
     solver.solve(contact.load / (sides[0] * sides[1]))
     model.operators["half space"](model.traction, model.displacement)
@@ -169,4 +166,4 @@ def boundary_elements(contact: Contact, *, semi_axes: tuple[float, float], point
 
 
 if __name__ == "__main__":
-    typer.run(main)
+    run(main)

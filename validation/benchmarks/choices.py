@@ -4,8 +4,8 @@ Takes random scenes (validation/benchmarks/random_scenes.py), one seed each, run
 compares its bound, which is known before the reference, with its error against the reference. Prints for each method in
 how many scenes the bound covers the error, the median of bound over error, and the worst scene. For each ladder it then
 prints how often the cheapest method whose bound is within 10, 1 and 0.1 % has an error within it. With --meshes, the
-contacts of that many scenes are solved on every level of the recipe, and the predicted seconds of each level are
-compared with the measured ones. With --cages, that many scenes get a cage, whose motion is run with four step lengths.
+contacts of that many scenes are solved on every level of the recipe. With --cages, that many scenes get a cage, whose
+motion is run with four step lengths.
 Seeds 61000 to 61029 and 62000 to 62099 were used to choose the constants; all others are a test of them.
 """
 
@@ -21,23 +21,20 @@ from typing import Annotated
 
 import numpy as np
 import typer
-from rich.console import Console
 from rich.progress import track
-from rich.table import Table
 
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Scene
 from fembearing.check.contact.scene_contact import RECIPES, contact_of
-from fembearing.check.cost import contact_ladder, formula_ladders, ladder
-from fembearing.check.cost.ladder import Ladder
-from fembearing.check.cost.scene_cost import FORMULA_LADDERS
+from fembearing.check.cost import scene_cost
+from fembearing.check.cost.contact_ladder import measured_contact
+from fembearing.check.cost.ladder import Ladder, measured
 from fembearing.mesh.recipe import load_recipe
-from validation.benchmarks.machine import machine, versions
 from validation.benchmarks.random_scenes import random_scene, with_cage
+from validation.study import machine, out, progress, run, show
 
 TOLERANCES = (0.1, 0.01, 0.001)
 FLOOR = 1e-10  # smaller errors are round-off of iterations, and their ratios mean nothing
-WITHIN = 2.0  # factor between a predicted and a measured time that counts as agreement
 
 
 @dataclass(frozen=True)
@@ -64,14 +61,11 @@ def main(
     cages: Annotated[int, typer.Option(help="Of these, the number that get a cage.")] = 20,
     seed: Annotated[int, typer.Option(help="First seed; each scene has its own.")] = 63000,
 ) -> None:
-    out = Console(width=110)
-    ladder.FORMULA_REPEATS, ladder.SAMPLE, contact_ladder.MESH_REPEATS = 1, 0.0, 1  # errors matter here, seconds do not
     checks: dict[tuple[str, str], list[Checked]] = defaultdict(list)
     choices: dict[tuple[str, float], list[bool]] = defaultdict(list)
-    seconds: dict[str, list[float]] = defaultdict(list)
     absent: dict[str, int] = defaultdict(int)
-    for number in track(range(seed, seed + scenes), console=Console(stderr=True)):
-        formula_ladders.SEED = number  # seed of the generated surfaces
+    for number in track(range(seed, seed + scenes), console=progress):
+        scene_cost.SEED = number  # seed of the generated surfaces
         rng = np.random.default_rng(number)
         scene = random_scene(rng)
         if number - seed < cages:
@@ -80,56 +74,52 @@ def main(
             for method in one.methods:
                 if method.error is not None and method.bound is not None:
                     checks[one.quantity, method.name].append(Checked(number, method.error, method.bound))
-                if method.predicted and method.seconds:
-                    seconds[method.name].append(method.predicted / method.seconds)
             for tolerance in TOLERANCES:
-                chosen = next((method for method in one.methods if method is one.choose(tolerance)), None)
+                chosen = one.cheapest(tolerance)
                 if chosen is not None:
                     choices[one.quantity, tolerance].append((chosen.error or 0.0) <= tolerance)
-    out.print(f"{machine()}; {versions('fembearing', 'numpy', 'scipy')}; seeds {seed} to {seed + scenes - 1}")
-    show(checks, out)
+    out.print(f"{machine()}; seeds {seed} to {seed + scenes - 1}")
+    judge(checks)
     for quantity, count in absent.items():
         out.print(f"{quantity}: {count} scenes lack this ladder")
     for (quantity, tolerance), held in choices.items():
         out.print(f"{quantity} at {100 * tolerance:g} %: {sum(held)} of {len(held)} choices are within the tolerance")
-    for name, ratios in seconds.items():
-        within = sum(1 / WITHIN <= ratio <= WITHIN for ratio in ratios)
-        words = f"{min(ratios):.2g} to {max(ratios):.2g}; {within} of {len(ratios)} within a factor of {WITHIN:g}"
-        out.print(f"{name}: predicted over measured seconds {words}")
 
 
 def ladders_of(scene: Scene, absent: dict[str, int], *, with_meshes: bool, race: int) -> list[Ladder]:
-    ladders = []
-    for quantity, methods in FORMULA_LADDERS:
+    ladders, once = [], {"tolerance": scene.tolerance, "repeats": 1}  # errors matter here, seconds do not
+    for quantity, declare in scene_cost.FORMULA_LADDERS.items():
         try:
-            ladders.append(ladder.measured(methods(scene), tolerance=scene.tolerance))
+            ladders.append(measured(quantity, *declare(scene), **once))
         except InputError:
             absent[quantity] += 1
     if with_meshes:
         try:
             contact = contact_of(scene, pair="outer" if race else "inner")
             recipe = load_recipe(RECIPES["real"])
-            ladders.append(contact_ladder.measured_contact(contact, recipe=recipe, tolerance=scene.tolerance))
+            ladders.append(measured_contact(contact, recipe=recipe, **once))
         except FembearingError:
             absent["contact"] += 1
     return ladders
 
 
-def show(checks: dict[tuple[str, str], list[Checked]], out: Console) -> None:
-    table = Table(
-        "quantity", "method", "covers", "bound/error, median", "error, median", "error/bound, worst", "at seed"
-    )
+def judge(checks: dict[tuple[str, str], list[Checked]]) -> None:
+    """Print how often the bound of each method covers its error."""
+    rows = []
     for (quantity, name), checked in checks.items():
         errors, ratios = np.transpose([(each.error, 1 / each.used) for each in checked])
         worst = max(checked, key=lambda each: each.used)
         covers = f"{sum(each.covered for each in checked)} of {len(checked)}"
         numbers = f"{np.median(ratios):.3g}", f"{np.median(errors):.2g}", f"{worst.used:.2g}"
-        table.add_row(quantity, name, covers, *numbers, str(worst.seed))
-    out.print(table)
-    ratios = [1 / each.used for checked in checks.values() for each in checked]
-    covered = sum(each.covered for checked in checks.values() for each in checked)
-    out.print(f"all: {covered} of {len(ratios)} covered; bound over error {np.median(ratios):.3g}, median")
+        rows.append((quantity, name, covers, *numbers, worst.seed))
+    heads = ("quantity", "method", "covers", "bound/error, median", "error, median", "error/bound, worst", "at seed")
+    show(heads, rows)
+    every = [each for checked in checks.values() for each in checked]
+    middle = np.median([1 / each.used for each in every])
+    out.print(
+        f"all: {sum(each.covered for each in every)} of {len(every)} covered; bound over error {middle:.3g}, median"
+    )
 
 
 if __name__ == "__main__":
-    typer.run(main)
+    run(main)

@@ -9,17 +9,14 @@ import time
 
 import mpmath
 import numpy as np
-from rich.console import Console
-from rich.table import Table
 
 from analytic import hertz_contact, load_scene
 from fembearing import solve_contact, solve_load_series
-from validation.benchmarks.machine import machine
+from validation.study import machine, out, run, show
 
 LOADS = (50.0, 200.0, 620.0, 2000.0)  # N
 RATIOS = (1.0, 1.0 + 1e-12, 1.37, 9.4, 310.0, 2.3e4, 1e6)
 REPEATS = 3
-out = Console(width=110)
 
 
 def main() -> None:
@@ -52,16 +49,17 @@ def errors_of_idealisation() -> None:
     scene = load_scene("6205-dry")
     names = ("approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure")
     heads = ("approach, %", "a, %", "b, %", "p0, %")
-    table = Table("pair", "load, N", *heads, "seconds", "unknowns")
-    worst = 0.0
+    rows, worst = [], 0.0
     for pair in ("inner", "outer"):
         for load in LOADS:
             solution = solve_contact(scene, pair=pair, load=load, geometry="hertzian", tolerance=1e-4)
-            errors = {name: getattr(solution.reference, name) / getattr(solution.hertz, name) - 1 for name in names}
+            found = solution.numbers
+            errors = {name: 1 / (1 + found.quantities[name].difference) - 1 for name in names}
             worst = max(worst, *map(abs, errors.values()))
             shown = [f"{100 * errors[name]:+.4f}" for name in names]
-            table.add_row(pair, f"{load:g}", *shown, f"{solution.seconds:.1f}", str(solution.meshes[-1].unknowns))
-    out.print("Finite elements against exact Hertz on the Hertzian idealisation, finest level:", table)
+            rows.append((pair, load, *shown, f"{found.seconds:.1f}", solution.meshes[-1].unknowns))
+    title = "Finite elements against exact Hertz on the Hertzian idealisation, finest level"
+    show(("pair", "load, N", *heads, "seconds", "unknowns"), rows, title)
     out.print(f"worst: {100 * worst:.4f} %")
 
 
@@ -113,4 +111,4 @@ def reference(ratio: float, load: float, modulus: float, curvature: float) -> tu
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -16,19 +16,17 @@ from typing import Annotated, Literal
 
 import numpy as np
 import typer
-from rich.console import Console
 from rich.progress import track
-from rich.table import Table
 
 from analytic.errors import FembearingError
 from analytic.progress import silent
 from analytic.scene import Contact
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.mesh_refinement import COMPARED
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import COMPARED, solve_reference
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Cells, Depth, Domain, Patch, Recipe, load_recipe
-from validation.intervals.twin import MATERIALS
+from validation.intervals.twin import ball_and_race, drawn_materials, pressed_to
+from validation.study import Jobs, out, progress, run, show
 
 ACCURACIES = (2e-3, 1e-3)
 SHARE_OF_POCKETS = 0.25  # of the idealised contacts; true shapes have none, as a seat's approach does not converge
@@ -42,7 +40,6 @@ OTHER_DEPTH = Depth(layer=1.0, share=0.45)
 OTHER_GROWTH, WIDER = 2.5, 2.0
 LEFT = 1 / 16
 Kind = Literal["hertzian", "race"]
-out = Console(width=100)
 
 
 @dataclass(frozen=True)
@@ -59,7 +56,7 @@ def main(
     ideal: Annotated[int, typer.Option(help="Random contacts of half spaces.")] = 100,
     real: Annotated[int, typer.Option(help="Random contacts of ball and race, true shapes.")] = 40,
     seed: Annotated[int, typer.Option(help="First seed.")] = 8000,
-    jobs: Annotated[int, typer.Option(help="Processes.")] = 1,
+    jobs: Jobs = 1,
 ) -> None:
     kinds: tuple[tuple[Kind, int], ...] = (("hertzian", ideal), ("race", real))
     with ProcessPoolExecutor(jobs) as pool:
@@ -68,17 +65,17 @@ def main(
                 continue
             seeds = range(seed, seed + count)
             answers = pool.map(partial(trial, kind=kind), seeds)
-            results = list(track(answers, total=count, description=kind, console=Console(stderr=True)))
+            results = list(track(answers, total=count, description=kind, console=progress))
             for number, each in zip(seeds, results, strict=True):
                 if isinstance(each, str):
-                    out.print(f"seed {number}: {each}", highlight=False)
+                    out.print(f"seed {number}: {each}")
             solved = [each for each in results if isinstance(each, Trial)]
             for accuracy in ACCURACIES:
-                show(kind, solved, accuracy=accuracy, first=seed, count=count)
+                judge(kind, solved, accuracy=accuracy, first=seed, count=count)
             if kind == "race":
                 worst = {name: max(abs(each.correction[name]) for each in solved) for name in COMPARED}
                 words = ", ".join(f"{name} {error:.4%}" for name, error in worst.items())
-                out.print(f"The idealisation corrects the converged solutions by up to: {words}\n", highlight=False)
+                out.print(f"The idealisation corrects the converged solutions by up to: {words}\n")
 
 
 def trial(seed: int, *, kind: Kind) -> Trial | str:
@@ -118,30 +115,12 @@ def random_contact(rng: np.random.Generator, *, pockets: float = SHARE_OF_POCKET
 
     pockets : probability that the contact is one of ball and pocket instead of ball and race
     """
-    radius = 10 ** rng.uniform(-3, np.log10(0.02))
-    groove = 2 * radius * (0.5025 + 0.0975 * rng.random() ** 2)
-    angle = rng.uniform(0, 0.7)
-    ring = radius / rng.uniform(0.06, 0.35) / np.cos(angle)  # half the pitch diameter over the cosine
-    pair = "inner" if rng.random() < 0.5 else "outer"
-    rolling = ring - radius if pair == "inner" else -ring - radius
+    shape = ball_and_race(rng) | {"contact_angle": 0.0}
+    groove = shape["groove_radius"]
     if rng.random() < pockets:
-        pair, rolling, angle = "pocket", -groove * rng.uniform(1.0, 1.5), 0.0
-    ball, race = (MATERIALS[number] for number in rng.choice(4, 2, p=[0.5, 0.2, 0.15, 0.15]))
-    contact = Contact(
-        pair=pair,
-        ball_radius=radius,
-        groove_radius=groove,
-        rolling_radius=rolling,
-        shoulder=0.95 * groove,
-        far_shoulder=0.95 * groove,
-        contact_angle=0.0,
-        load=1.0,
-        ball_material=ball,
-        race_material=race,
-    )
-    unit = hertz_quantities(contact)
-    size = 10 ** rng.uniform(-4, np.log10(0.2)) * radius
-    return replace(contact, load=float((size / max(unit.semi_axis_rolling, unit.semi_axis_transverse)) ** 3))
+        shape |= {"pair": "pocket", "rolling_radius": -groove * rng.uniform(1.0, 1.5)}
+    shape |= {"shoulder": 0.95 * groove, "far_shoulder": 0.95 * groove, **drawn_materials(rng)}
+    return pressed_to(Contact(**shape, load=1.0), 10 ** rng.uniform(-4, np.log10(0.2)) * shape["ball_radius"])
 
 
 def converged(contact: Contact, *, recipe: Recipe, semi_axes: tuple[float, float]) -> dict[str, float]:
@@ -175,31 +154,25 @@ def error_of_converged(contact: Contact) -> dict[str, float]:
     return {name: values[name] / exact[name] - 1 for name in COMPARED}
 
 
-def show(kind: Kind, trials: list[Trial], *, accuracy: float, first: int, count: int) -> None:
-    title = f"{kind}: seeds {first} to {first + count - 1}, {len(trials)} contacts solved, accuracy {accuracy:g}"
-    table = Table(title=title)
-    for head in ("quantity", "interval holds", "half-width/error, median", "error, median", "error, worst"):
-        table.add_column(head, justify="right" if head != "quantity" else "left")
-    all_hold = np.ones(len(trials), dtype=bool)
+def judge(kind: Kind, trials: list[Trial], *, accuracy: float, first: int, count: int) -> None:
+    """Print how often the intervals of an accuracy hold."""
+    all_hold, rows = np.ones(len(trials), dtype=bool), []
     for name in COMPARED:
         error = np.array([each.error[accuracy][name] for each in trials])
         width = np.array([each.uncertainty[accuracy][name] for each in trials])
         all_hold &= error <= width
-        table.add_row(
-            name,
-            f"{np.count_nonzero(error <= width)} of {error.size}",
-            f"{np.median(width / error):.1f}",
-            f"{np.median(error):.3%}",
-            f"{error.max():.3%}",
-        )
-    out.print(table)
-    seconds = np.median([each.seconds[accuracy] for each in trials])
-    out.print(
-        f"All four hold in {np.count_nonzero(all_hold)} of {len(trials)}; "
-        f"median processor time {seconds:.1f} s a contact\n",
-        highlight=False,
+        holds = f"{np.count_nonzero(error <= width)} of {error.size}"
+        rows.append((name, holds, f"{np.median(width / error):.1f}", f"{np.median(error):.3%}", f"{error.max():.3%}"))
+    heads = ("quantity", "interval holds", "half-width/error, median", "error, median", "error, worst")
+    show(
+        heads,
+        rows,
+        f"{kind}: seeds {first} to {first + count - 1}, {len(trials)} contacts solved, accuracy {accuracy:g}",
     )
+    seconds = np.median([each.seconds[accuracy] for each in trials])
+    held = f"All four hold in {np.count_nonzero(all_hold)} of {len(trials)}"
+    out.print(f"{held}; median processor time {seconds:.1f} s a contact\n")
 
 
 if __name__ == "__main__":
-    typer.run(main)
+    run(main)

@@ -11,20 +11,18 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from rich.console import Console
-from rich.table import Table
-from scipy.sparse import coo_array
+from scipy.sparse import block_diag, coo_array
 from scipy.sparse.linalg import spsolve
 from skfem import Basis, BilinearForm, ElementQuad2, ElementVector, MeshQuad
 from skfem.helpers import ddot, grad
 
 from analytic.mounting.thick_ring import ThickRing, fit_pressure
 from analytic.scene import Material
+from validation.study import out, run, show
 
 STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="usual values")
 WIDER = 3.0  # shaft and housing, in widths of the ring
 HOUSING = 2.0  # outside diameter of the housing over that of the ring
-out = Console(width=110)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,13 +55,14 @@ class Section:
 
 
 def main() -> None:
-    table = Table("ring", "finite elements", "wall below the groove", "error", "same area of section", "error")
+    heads = ("ring", "finite elements", "wall below the groove", "error", "same area of section", "error")
+    rows = []
     for section in sections():
         exact = solved_ratio(section)
         plain = [lame_ratio(section, surface) for surface in (section.bottom, section.mean_radius)]
         cells = [cell for value in plain for cell in (f"{value:.3f}", f"{value / exact - 1:+.1%}")]
-        table.add_row(section.name, f"{exact:.3f}", *cells)
-    out.print("Change of the groove's diameter over the interference on the diameter:", table)
+        rows.append((section.name, f"{exact:.3f}", *cells))
+    show(heads, rows, "Change of the groove's diameter over the interference on the diameter")
     check = Section(name="plain", seat=12.5, bottom=16, groove=1e6, shoulder=1e-3, far_shoulder=1e-3, width=15.0)
     out.print(
         f"plain ring, shaft as wide: {solved_ratio(check, wider=1.0) / lame_ratio(check, 16.0) - 1:+.1e} off Lame"
@@ -132,7 +131,7 @@ def solved_ratio(section: Section, *, wider: float = WIDER) -> float:
     jump = np.zeros(total)
     jump[seats[0]] = section.sign * 0.5
     tie = coo_array((np.ones(total), (np.arange(total), target)), shape=(total, total)).tocsr()
-    whole = block(stiffness)
+    whole = block_diag(stiffness).tocsr()
     matrix, force = tie.T @ whole @ tie, -(tie.T @ (whole @ jump))
     axial = [np.concatenate([basis.nodal_dofs[0], basis.facet_dofs[0], basis.interior_dofs[0]]) for basis in bases]
     held = []  # one place along the axis of each body
@@ -153,12 +152,6 @@ def grid(along: NDArray[np.float64], shares: NDArray[np.float64], radius) -> Mes
     return MeshQuad(np.stack([mesh.p[0], radius(mesh.p[0], mesh.p[1])]), mesh.t)
 
 
-def block(parts: list) -> coo_array:
-    from scipy.sparse import block_diag
-
-    return block_diag(parts).tocsr()
-
-
 @BilinearForm
 def elastic(u, v, w):
     """Energy of strains about an axis, over 2 pi; x[0] is axial, x[1] radial."""
@@ -172,4 +165,4 @@ def elastic(u, v, w):
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

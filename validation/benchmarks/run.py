@@ -22,11 +22,10 @@ from pathlib import Path
 from statistics import median
 from typing import Any, Literal
 
-from rich.console import Console
 from rich.progress import track
-from rich.table import Table
 
-from validation.benchmarks.machine import machine, versions
+from validation.study import machine, progress
+from validation.study import show as show_table
 
 ROOT = Path(__file__).resolve().parents[2]
 AGAINST = "c3f112b4"  # renewed after a change that is slower on purpose
@@ -147,7 +146,7 @@ ROWS = {
     "ring": Row(
         title="equilibrium of a ring at 500 rad/s", setup="from analytic.loads.ring import ring_equilibrium",
         call="ring_equilibrium(dry.bearing, dry.contact_angle, axial_load=300.0, radial_load_x=500.0, "
-        "inner_speed=500.0).inner_load.max()",
+        "inner_speed=500.0).balls['load'].max()",
     ),
     "first_call": Row(title="first torque of a process", call=f"friction_torque(at({PHYSICAL})).torque.total[0]",
                       goal=0.4, first=True),
@@ -206,7 +205,7 @@ def ruled(scene):
 
 def solve(load=620.0, **options):
     from fembearing import solve_contact
-    return solve_contact(dry, load=load, **options).reference.approach
+    return solve_contact(dry, load=load, **options).numbers.reference.approach
 
 def grid(points):
     text = (f'scene = {json.dumps(file("6205_physical"))}\\n[axes]\\noperation.inner_speed = ["500 rpm", "1500 rpm"]\\n'
@@ -253,7 +252,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as place:
         trees = [ROOT, *unpacked(options.against, Path(place).resolve())]
         found = {}
-        for name in track(names, "rows", console=Console(stderr=True)):
+        for name in track(names, "rows", console=progress):
             found[name] = measured(ROWS[name], trees, pairs=options.pairs)
     show(found, against=options.against)
     if options.json:
@@ -273,7 +272,7 @@ def unpacked(against: str, place: Path) -> list[Path]:
         subprocess.run(git, check=True, capture_output=True, text=True)
     except (OSError, subprocess.CalledProcessError) as problem:
         reason = str(getattr(problem, "stderr", None) or problem).strip()
-        Console(stderr=True).print(f"Nothing is compared, {against} is not in this clone: {reason}")
+        progress.print(f"Nothing is compared, {against} is not in this clone: {reason}")
         return []
     with tarfile.open(archive) as tree:
         tree.extractall(place, filter="data")
@@ -325,17 +324,16 @@ def timed(row: Row, tree: Path) -> dict[str, Any]:
 
 def show(found: dict[str, dict[str, Any]], *, against: str) -> None:
     heads = ("row", "what", "this tree, s", f"{against[:12]}, s", "ratio", "goal, s", "result differs by")
-    table = Table(*heads, title=f"{machine()}; {versions('numpy', 'scipy')}")
+    rows = []
     for name, each in found.items():
         seconds = [f"{value:.3g}" for value in each.get("seconds", ())] + ["", ""]
         ratio, differs = each.get("ratio"), each.get("result_differs_by")
         verdict = "" if ratio is None else f"{ratio:.2f}" + (" SLOWER" if ratio > SLOWER else "")
-        table.add_row(
-            *(name, each["title"] + (", wall" if each["clock"] == "wall" else ""), *seconds[:2]),
-            *(each.get("failed", verdict), f"{each['goal'] or '':g}" if each["goal"] else ""),
-            "" if differs is None else f"{differs:+.1e}",
-        )
-    Console(width=150).print(table)
+        title = each["title"] + (", wall" if each["clock"] == "wall" else "")
+        goal = f"{each['goal']:g}" if each["goal"] else ""
+        change = "" if differs is None else f"{differs:+.1e}"
+        rows.append((name, title, *seconds[:2], each.get("failed", verdict), goal, change))
+    show_table(heads, rows, machine())
 
 
 if __name__ == "__main__":

@@ -6,25 +6,24 @@ and von Mises stress, the errors of their depths in minor semi-axes, and how oft
 """
 
 from dataclasses import replace
+from itertools import product
 from typing import Annotated
 
 import numpy as np
 import typer
-from rich.console import Console
 from rich.progress import track
-from rich.table import Table
 
 from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
-from fembearing.check.contact.discrepancy import ContactSolution, compare_contact
 from fembearing.check.contact.scene_contact import contact_of
+from fembearing.check.contact.solution import ContactSolution, compare_contact
 from fembearing.check.contact.subsurface import NAMES, compare_subsurface
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
+from validation.study import progress, run, show
 
 LEVELS = (2, 3, 4)
 TOLERANCE = 0.05
-out = Console(width=100)
 
 
 def main(
@@ -34,27 +33,20 @@ def main(
     recipe = load_recipe("hertzian")
     errors = {level: {name: [] for name in NAMES} for level in LEVELS}
     held = {level: dict.fromkeys(NAMES, 0) for level in LEVELS}
-    for number in track(range(seed, seed + contacts), console=Console(stderr=True)):
+    for number in track(range(seed, seed + contacts), console=progress):
         contact = random_contact(np.random.default_rng(number))
         solution = compare_contact(contact, recipe=recipe, tolerance=TOLERANCE)
         axes = solution.meshes[-1].pair.semi_axes
         meshes = [solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=axes) for level in (1, *LEVELS)]
         for finest, level in enumerate(LEVELS, start=1):
             add_errors(replace(solution, meshes=tuple(meshes[: finest + 1])), errors[level], held[level])
-    table = Table(title=f"{contacts} contacts, seeds {seed} to {seed + contacts - 1}")
-    for head in ("finest level", "quantity", "error, median", "error, worst", "interval holds"):
-        table.add_column(head, justify="left" if head == "quantity" else "right")
-    for level in LEVELS:
-        for name in NAMES:
-            error = np.array(errors[level][name])
-            table.add_row(
-                str(level),
-                name.replace("_", " "),
-                f"{np.median(error):.2%}",
-                f"{error.max():.2%}",
-                f"{held[level][name]} of {error.size}",
-            )
-    out.print(table)
+    heads = ("finest level", "quantity", "error, median", "error, worst", "interval holds")
+    rows = []
+    for level, name in product(LEVELS, NAMES):
+        error = np.array(errors[level][name])
+        holds = f"{held[level][name]} of {error.size}"
+        rows.append((level, name.replace("_", " "), f"{np.median(error):.2%}", f"{error.max():.2%}", holds))
+    show(heads, rows, f"{contacts} contacts, seeds {seed} to {seed + contacts - 1}")
 
 
 def random_contact(rng: np.random.Generator) -> Contact:
@@ -71,14 +63,16 @@ def random_contact(rng: np.random.Generator) -> Contact:
 
 def add_errors(solution: ContactSolution, errors: dict[str, list[float]], held: dict[str, int]) -> None:
     """Append the errors of both bodies and count the intervals that hold; depths in minor semi-axes."""
-    minor = min(solution.hertz.semi_axis_rolling, solution.hertz.semi_axis_transverse)
+    hertz = solution.numbers.hertz
+    minor = min(hertz.semi_axis_rolling, hertz.semi_axis_transverse)
     for side in ("upper", "lower"):
         stresses = compare_subsurface(solution, side=side)
         for name in NAMES:
-            scale = minor if "depth" in name else stresses.hertz[name]
-            errors[name].append(abs(stresses.fe[name] - stresses.hertz[name]) / scale)
-            held[name] += not stresses.exceeds_uncertainty[name]
+            each = stresses.quantities[name]
+            scale = minor if "depth" in name else each.production
+            errors[name].append(abs(each.reference - each.production) / scale)
+            held[name] += not each.resolved
 
 
 if __name__ == "__main__":
-    typer.run(main)
+    run(main)

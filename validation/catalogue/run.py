@@ -8,12 +8,9 @@ has, and with balls that others print or measured. It writes catalogue.csv, one 
 catalogue.md into this folder.
 """
 
-import argparse
-import csv
 import math
-import sys
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import product
@@ -22,11 +19,10 @@ from pathlib import Path
 import numpy as np
 
 from analytic.contact.hertz import hertz_contact
-from validation.study import read
+from validation.study import Out, markdown, numbers, published, read, run, write, write_text
 
 HERE = Path(__file__).parent
 ROWS = HERE.parents[1] / "analytic" / "catalog" / "bearings"
-GEOMETRY = HERE.parent / "published" / "ball_bearing_geometry.csv"
 
 STATIC_PRESSURE = 4200e6  # Pa, [ISO76]
 MODULUS = 207e9 / (2 * (1 - 0.3**2))  # E* of the steel of [ISO76], Pa
@@ -324,126 +320,113 @@ def compare_balls(found: Mapping[str, Candidate]) -> list[Hit]:
             printed=(int(row["ball_count"]), float(row["ball_diameter_mm"])),
             found=found[row["designation"]],
         )
-        for row in read(GEOMETRY)
+        for row in published("ball_bearing_geometry.csv")
         if row["designation"] in found
     ]
 
 
-def _hits_row(name: str, hits: Sequence[Hit]) -> str:
+def _hits_row(name: str, hits: Sequence[Hit]) -> tuple[object, ...]:
     bearings = {hit.designation for hit in hits}
     missed = {hit.designation for hit in hits if not hit.right}
-    return (
-        f"| {name} | {len(hits)} | {sum(hit.count_right for hit in hits)} | {sum(hit.right for hit in hits)} "
-        f"| {len(bearings)} | {len(bearings - missed)} |"
-    )
+    right = sum(hit.count_right for hit in hits), sum(hit.right for hit in hits)
+    return name, len(hits), *right, len(bearings), len(bearings - missed)
 
 
 def factor_errors() -> tuple[float, float]:
     """Largest difference of f0 and of f_c from the printed tables."""
-    table = read(HERE.parent / "published" / "iso_ball_factors.csv")
-    static = [(float(row["gamma"]), float(row["f0"])) for row in table if row["f0"]]
-    dynamic = [(float(row["gamma"]), float(row["fc"])) for row in table if row["fc"]]
-    worst = []
-    for rows, formula in ((static, static_factor), (dynamic, dynamic_factor)):
-        gamma, printed = np.array(rows).T
-        worst.append(float(np.max(np.abs(formula(gamma) - printed))))
-    return worst[0], worst[1]
+    rows = published("iso_ball_factors.csv")
+    gamma = numbers(rows, "gamma")
+    static, dynamic = (
+        float(np.nanmax(np.abs(formula(gamma) - numbers(rows, name))))
+        for formula, name in ((static_factor, "f0"), (dynamic_factor, "fc"))
+    )
+    return static, dynamic
 
 
-def report(deep: Sequence[Check], angular: Sequence[Check], without_priors: Sequence[Check]) -> str:
+def report(deep: Sequence[Check], angular: Sequence[Check], without_priors: Sequence[Check]) -> Iterator[str]:
     """The tables, as Markdown."""
     hits = compare_balls(supported(deep))
     static, dynamic = factor_errors()
-    lines = [
-        "# Balls from load ratings",
-        "",
-        "By `python validation/catalogue/run.py`. [The catalogue](../../docs/catalogue.md) says what the numbers mean.",
-        "",
-        f"f0 differs from the table of ISO 76 by at most {static:.3f}, f_c from that of ISO 281 by {dynamic:.3f};",
-        "the tables are rounded to 0.1.",
-        "",
-        "## Against balls that others print or measured",
-        "",
-        "| balls from | rows | count right | both right | bearings | both right |",
-        "| --- | --- | --- | --- | --- | --- |",
-        _hits_row("most makers", hits),
-        _hits_row("most makers, outside diameter from 22 mm", [hit for hit in hits if hit.outside >= 22]),
-        _hits_row("most makers, below 22 mm", [hit for hit in hits if hit.outside < 22]),
-    ]
-    for maker in SPREADS:
-        own = {check.designation: check.candidates[0] for check in deep if check.maker == maker}
-        lines.append(_hits_row(f"{maker} alone", compare_balls(own)))
-    lines.append(_hits_row("most makers, without penalties", compare_balls(supported(without_priors))))
-    lines += ["", "Both right: the count, and the diameter within 0.6 %. Misses:", ""]
-    lines += [
-        f"- {hit.designation}: {hit.source} has {hit.printed[0]} x {hit.printed[1]:.3f} mm, the ratings give "
-        f"{hit.found.count} x {hit.found.diameter:.3f} mm (score {hit.found.score:.1f})"
-        for hit in hits
-        if not hit.right
-    ]
-    lines += [
-        "",
-        "## Against the catalogue",
-        "",
-        "| ratings of | grade | checked | same balls | other balls, clearly |",
-    ]
-    lines += ["| --- | --- | --- | --- | --- |"]
-    kinds = {"deep groove": deep, "angular contact": angular}
-    for kind, checks in kinds.items():
-        groups = Counter((check.maker, check.grade) for check in checks)
-        for (maker, grade), number in sorted(groups.items()):
-            group = [check for check in checks if (check.maker, check.grade) == (maker, grade)]
-            same = sum(check.agrees for check in group)
-            clear = sum(not check.agrees and check.excess > CLEAR for check in group)
-            lines.append(f"| {maker}, {kind} | {grade} | {number} | {same} | {clear} |")
-    lines += [
-        "",
-        f"Clearly: the catalogue's balls score more than {CLEAR:g} above the best. Other balls, of grades A to C:",
-        "",
-    ]
-    lines += [
-        f"- {check.maker} {check.designation}: {_written(check.listed)}; here {check.candidates[0].count} x "
-        f"{check.candidates[0].diameter:.3f} mm, better by {check.excess:.1f}"
-        for check in (*deep, *angular)
-        if not check.agrees and check.grade != "D"
-    ]
-    return "\n".join(lines) + "\n"
-
-
-def _written(balls: tuple[int, float] | None) -> str:
-    return "none" if balls is None else f"{balls[0]} x {balls[1]:.3f} mm"
-
-
-def write_rows(path: Path, checks: Iterable[Check]) -> None:
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(
-            (
-                *("maker", "designation", "grade", "catalogue_count", "catalogue_diameter_mm"),
-                *("count", "diameter_mm", "score", "catalogue_score", "next_count", "next_diameter_mm", "next_score"),
+    yield from ("# Balls from load ratings", "")
+    by = "By `python validation/catalogue/run.py`."
+    yield f"{by} [The catalogue](../../docs/catalogue.md) says what the numbers mean."
+    yield ""
+    yield f"f0 differs from the table of ISO 76 by at most {static:.3f}, f_c from that of ISO 281 by {dynamic:.3f};"
+    yield "the tables are rounded to 0.1."
+    yield from ("", "## Against balls that others print or measured", "")
+    own = {
+        maker: {check.designation: check.candidates[0] for check in deep if check.maker == maker} for maker in SPREADS
+    }
+    groups = {
+        "most makers": hits,
+        "most makers, outside diameter from 22 mm": [hit for hit in hits if hit.outside >= 22],
+        "most makers, below 22 mm": [hit for hit in hits if hit.outside < 22],
+        **{f"{maker} alone": compare_balls(found) for maker, found in own.items()},
+        "most makers, without penalties": compare_balls(supported(without_priors)),
+    }
+    heads = ("balls from", "rows", "count right", "both right", "bearings", "both right")
+    yield from markdown(heads, (_hits_row(name, some) for name, some in groups.items()))
+    yield from ("", "Both right: the count, and the diameter within 0.6 %. Misses:", "")
+    for hit in hits:
+        if not hit.right:
+            yield (
+                f"- {hit.designation}: {hit.source} has {hit.printed[0]} x {hit.printed[1]:.3f} mm, the ratings give "
+                f"{hit.found.count} x {hit.found.diameter:.3f} mm (score {hit.found.score:.1f})"
             )
-        )
-        for check in checks:
-            best = check.candidates[0]
-            own = score_of(check.candidates, *check.listed) if check.listed else math.inf
-            row = [check.maker, check.designation, check.grade, *(check.listed or ("", ""))]
-            row += [best.count, best.diameter, f"{best.score:.2f}", f"{own:.2f}" if math.isfinite(own) else ""]
-            for second in check.candidates[1:2]:
-                row += [second.count, second.diameter, f"{second.score:.2f}"]
-            writer.writerow(row)
+    yield from ("", "## Against the catalogue", "")
+    heads = ("ratings of", "grade", "checked", "same balls", "other balls, clearly")
+    yield from markdown(
+        heads, (*_against_catalogue("deep groove", deep), *_against_catalogue("angular contact", angular))
+    )
+    yield ""
+    yield f"Clearly: the catalogue's balls score more than {CLEAR:g} above the best. Other balls, of grades A to C:"
+    yield ""
+    for check in (*deep, *angular):
+        if not check.agrees and check.grade != "D":
+            best, listed = check.candidates[0], check.listed
+            written = "none" if listed is None else f"{listed[0]} x {listed[1]:.3f} mm"
+            words = f"here {best.count} x {best.diameter:.3f} mm, better by {check.excess:.1f}"
+            yield f"- {check.maker} {check.designation}: {written}; {words}"
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=HERE, metavar="FOLDER", help="where the tables go")
-    folder = parser.parse_args().out
-    folder.mkdir(parents=True, exist_ok=True)
+def _against_catalogue(kind: str, checks: Sequence[Check]) -> Iterator[tuple[object, ...]]:
+    groups = Counter((check.maker, check.grade) for check in checks)
+    for (maker, grade), number in sorted(groups.items()):
+        group = [check for check in checks if (check.maker, check.grade) == (maker, grade)]
+        clear = sum(not check.agrees and check.excess > CLEAR for check in group)
+        yield f"{maker}, {kind}", grade, number, sum(check.agrees for check in group), clear
+
+
+def row_of(check: Check) -> dict[str, object]:
+    """What catalogue.csv has of a bearing."""
+    best = check.candidates[0]
+    row = {name: getattr(check, name) for name in ("maker", "designation", "grade")}
+    row |= {"count": best.count, "diameter_mm": str(best.diameter), "score": f"{best.score:.2f}"}
+    if check.listed:
+        count, diameter = check.listed
+        own = score_of(check.candidates, count, diameter)
+        row |= {"catalogue_count": count, "catalogue_diameter_mm": str(diameter)}
+        row |= {"catalogue_score": f"{own:.2f}"} if math.isfinite(own) else {}
+    for second in check.candidates[1:2]:
+        row |= {
+            "next_count": second.count,
+            "next_diameter_mm": str(second.diameter),
+            "next_score": f"{second.score:.2f}",
+        }
+    return row
+
+
+COLUMNS = (
+    *("maker", "designation", "grade", "catalogue_count", "catalogue_diameter_mm"),
+    *("count", "diameter_mm", "score", "catalogue_score", "next_count", "next_diameter_mm", "next_score"),
+)
+
+
+def main(out: Out = HERE) -> None:
     deep, angular = check_deep_groove(), check_angular_contact()
-    text = report(deep, angular, check_deep_groove(priors=False))
-    write_rows(folder / "catalogue.csv", (*deep, *angular))
-    (folder / "catalogue.md").write_text(text, "utf-8")
-    sys.stdout.write(text)
+    write(map(row_of, (*deep, *angular)), out / "catalogue.csv", COLUMNS)
+    write_text(out / "catalogue.md", report(deep, angular, check_deep_groove(priors=False)))
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -10,24 +10,19 @@ failures, kinds of warnings, and torques outside the catalogue band. Torques tha
 that a stopped run can be resumed; delete the file to compute all of them anew. It takes 25 minutes on two busy cores.
 """
 
-import argparse
-import csv
 import math
-import multiprocessing
 import os
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
-import matplotlib as mpl
 import numpy as np
+import typer
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import ScalarFormatter
-from rich.console import Console
-from rich.table import Table
 
 from analytic.catalog.bearing_rows import CatalogBearing, bearing_names, find_bearing
 from analytic.errors import FembearingError, InputError
@@ -35,8 +30,7 @@ from analytic.makers import scene_band
 from analytic.scene import Scene
 from analytic.scenefile.read import scene_of
 from analytic.torque import friction_torque
-
-mpl.use("agg")
+from validation.study import Row, continued, figure, out, read, run, save, show, write
 
 HERE = Path(__file__).parent
 GRADES = ("printed", "A", "B")
@@ -44,11 +38,8 @@ RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C, of C0
 SEATED = 1.7  # of Fr tan(angle): thrust that loads all balls of a straight ring, about 1.67 for point contact
 CASES = ("radial", "axial")
 DOWN = {"radial": [1, 0, 0], "axial": [0, 0, 1]}  # the shaft lies, or it stands
-Row = dict[str, str]
-COMPUTED = (
-    *("designation", "case", "radial_N", "axial_N", "moment_N_m"),
-    *("torque_N_mm", "numerical_uncertainty", "warnings", "failure"),
-)
+LOADS = ("radial_N", "axial_N", "moment_N_m")
+COMPUTED = ("designation", "case", *LOADS, "torque_N_mm", "numerical_uncertainty", "warnings", "failure")
 KNOWN = ("maker", "kind", "series", "grade", "bore_mm", "outside_mm")
 BAND = ("band_low_N_mm", "band_high_N_mm")
 KINDS = {  # what a warning says: its kind; the first that fits
@@ -105,44 +96,26 @@ def scene_at(bearing: CatalogBearing, case: str) -> Scene:
     return scene_of(document, origin=bearing.designation)
 
 
-def computed(task: tuple[str, str]) -> Row:
+def computed(task: tuple[str, str]) -> list[Row]:
     """The torque of one bearing under one load, or why there is none."""
     name, case = task
     bearing = find_bearing(name)
-    radial, axial, moment = loads_of(bearing, case)
-    row = dict.fromkeys(COMPUTED, "") | {
-        "designation": name,
-        "case": case,
-        "radial_N": f"{radial:.5g}",
-        "axial_N": f"{axial:.5g}",
-        "moment_N_m": f"{moment:.5g}",
-    }
+    loads = (f"{load:.5g}" for load in loads_of(bearing, case))
+    row = {"designation": name, "case": case, **dict(zip(LOADS, loads, strict=True))}
     try:
         found = friction_torque(scene_at(bearing, case))
     except FembearingError as problem:
-        return row | {"failure": str(problem)}
-    return row | {
-        "torque_N_mm": f"{1e3 * found.torque.total[0]:.5g}",
-        "numerical_uncertainty": f"{found.numerical_uncertainty[0]:.3g}",
-        "warnings": kinds_of(found.warnings),
-    }
+        return [row | {"failure": str(problem)}]
+    torque = f"{1e3 * found.torque.total[0]:.5g}"
+    uncertainty = f"{found.numerical_uncertainty[0]:.3g}"
+    warnings = kinds_of(found.warnings)
+    return [row | {"torque_N_mm": torque, "numerical_uncertainty": uncertainty, "warnings": warnings}]
 
 
 def kinds_of(warnings: Sequence[str]) -> str:
     """The kinds of warnings, each once."""
     kinds = [next((kind for words, kind in KINDS.items() if words in text), text) for text in warnings]
     return "; ".join(sorted({kind for kind in kinds if kind}))
-
-
-def missing_torques(done: Mapping[tuple[str, str], Row], out: Console) -> Iterator[Row]:
-    """The torques that are not among those done, on all cores, with the progress."""
-    names = [name for name in bearing_names() if find_bearing(name).grade in GRADES]
-    tasks = [task for case in reversed(CASES) for name in names if (task := (name, case)) not in done]
-    with multiprocessing.Pool(os.cpu_count()) as pool:
-        for count, row in enumerate(pool.imap_unordered(computed, tasks), 1):
-            if count % 25 == 0 or count == len(tasks):
-                out.print(f"{count} of {len(tasks)} torques")
-            yield row
 
 
 def with_band(row: Row) -> Row:
@@ -184,15 +157,24 @@ def mean_diameter(row: Row) -> float:
     return (float(row["bore_mm"]) + float(row["outside_mm"])) / 2
 
 
-def print_result(rows: Sequence[Row], out: Console) -> None:
+def print_result(rows: Sequence[Row]) -> None:
     """Failures, kinds of warnings, and where the torques lie in the band, by series."""
     for row in rows:
         if row["failure"]:
-            out.print(f"{row['designation']}, {row['case']}: {row['failure']}", markup=False)
+            out.print(f"{row['designation']}, {row['case']}: {row['failure']}")
     for case in CASES:
         counts = Counter(kind for row in rows if row["case"] == case for kind in row["warnings"].split("; ") if kind)
         out.print(f"{case}, {sum(row['case'] == case for row in rows)} torques:", dict(counts.most_common()))
-    table = Table("series", "load", "torques", "below", "above", "torque over middle", "ends over middle")
+    heads = ("series", "load", "torques", "below", "above", "torque over middle", "ends over middle")
+    show(heads, in_the_band(rows))
+    for case in CASES:
+        own = sorted((row for row in rows if row["case"] == case and row["torque_N_mm"]), key=coefficient)
+        words = [f"{row['designation']} {coefficient(row):.2g}" for row in (*own[:6], *own[-6:])]
+        out.print(f"{case}, least and largest coefficient of friction: {', '.join(words)}")
+
+
+def in_the_band(rows: Sequence[Row]) -> Iterator[tuple[object, ...]]:
+    """Where the torques lie, by series and load."""
     for series in sorted({row["series"] for row in rows if row["band_low_N_mm"]}):
         for case in CASES:
             own = [row for row in rows if (row["series"], row["case"]) == (series, case) and row["torque_N_mm"]]
@@ -200,19 +182,14 @@ def print_result(rows: Sequence[Row], out: Console) -> None:
                 continue
             ratios, ends = np.array([position(row) for row in own]), np.array([half_width(row) for row in own])
             spread = f"{ratios.min():.2f} {np.median(ratios):.2f} {ratios.max():.2f}"
-            outside = (int(np.sum(ratios < 1 / ends)), int(np.sum(ratios > ends)))
-            table.add_row(series, case, str(len(own)), *map(str, outside), spread, f"{np.median(ends):.2f}")
-    out.print(table)
-    for case in CASES:
-        own = sorted((row for row in rows if row["case"] == case and row["torque_N_mm"]), key=coefficient)
-        words = [f"{row['designation']} {coefficient(row):.2g}" for row in (*own[:6], *own[-6:])]
-        out.print(f"{case}, least and largest coefficient of friction: {', '.join(words)}", markup=False)
+            outside = (np.sum(ratios < 1 / ends), np.sum(ratios > ends))
+            yield series, case, len(own), *outside, spread, f"{np.median(ends):.2f}"
 
 
 def draw(rows: Sequence[Row]) -> Figure:
     """Above the radial load, below the axial one: deep groove bearings against their band, and all coefficients."""
-    figure = Figure(figsize=(11, 8), layout="constrained")
-    panels = figure.subplots(2, 2, sharex="col")
+    drawn = figure(11, 8)
+    panels = drawn.subplots(2, 2, sharex="col")
     for (against, alone), case in zip(panels, CASES, strict=True):
         own = [row for row in rows if row["case"] == case and row["torque_N_mm"]]
         load = f"{RADIAL_SHARE:g} C radial" if case == "radial" else f"{AXIAL_SHARE:g} C0 axial"
@@ -231,7 +208,7 @@ def draw(rows: Sequence[Row]) -> Figure:
         axes.set_axisbelow(True)
     panels[0, 0].legend(fontsize=8, ncols=2)
     panels[0, 1].legend(fontsize=8, ncols=2)
-    return figure
+    return drawn
 
 
 def _draw_band(axes: Axes, rows: Sequence[Row]) -> None:
@@ -261,31 +238,18 @@ def _draw_coefficients(axes: Axes, rows: Sequence[Row]) -> None:
     axes.set_ylim(bottom=0)
 
 
-def main() -> None:
-    """The program."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--out", type=Path, default=HERE, help="folder of the results")
-    folder: Path = parser.parse_args().out
-    folder.mkdir(parents=True, exist_ok=True)
-    out, path = Console(), folder / "catalogue_torque.csv"
-    done: dict[tuple[str, str], Row] = {}
-    if path.exists():
-        with path.open(encoding="utf-8", newline="") as file:
-            done = {(row["designation"], row["case"]): {key: row[key] for key in COMPUTED}
-                    for row in csv.DictReader(file)}  # fmt: skip
-    try:
-        for row in missing_torques(done, out):
-            done[row["designation"], row["case"]] = row
-    finally:
-        order = {name: place for place, name in enumerate(bearing_names())}
-        rows = [with_band(done[key]) for key in sorted(done, key=lambda key: (order[key[0]], CASES.index(key[1])))]
-        with path.open("w", encoding="utf-8", newline="") as file:
-            writer = csv.DictWriter(file, ("designation", *KNOWN, *COMPUTED[1:7], *BAND, *COMPUTED[7:]))
-            writer.writeheader()
-            writer.writerows(rows)
-    print_result(rows, out)
-    draw(rows).savefig(folder / "catalogue_torque.png", dpi=110)
+def main(folder: Annotated[Path, typer.Option("--out", help="Folder of the results.")] = HERE) -> None:
+    path, columns = folder / "catalogue_torque.csv", ("designation", "case", *COMPUTED[2:], *KNOWN, *BAND)
+    names = [name for name in bearing_names() if find_bearing(name).grade in GRADES]
+    tasks = {(name, case): (name, case) for case in reversed(CASES) for name in names}
+    order = {name: place for place, name in enumerate(bearing_names())}
+    rows = continued(path, columns, tasks, computed, jobs=os.cpu_count() or 1)
+    rows.sort(key=lambda row: (order[row["designation"]], CASES.index(row["case"])))
+    write(map(with_band, rows), path, ("designation", *KNOWN, *COMPUTED[1:7], *BAND, *COMPUTED[7:]))
+    rows = read(path)
+    print_result(rows)
+    save(draw(rows), folder / "catalogue_torque.png", dpi=110)
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -14,7 +14,7 @@ from rich.progress import track
 
 from analytic.errors import FembearingError
 from analytic.scene import Contact
-from fembearing.check.contact.mesh_refinement import COMPARED
+from fembearing.check.contact.refinement import COMPARED
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_factors, twin_on_level

@@ -33,7 +33,7 @@ from analytic.errors import FembearingError
 from analytic.progress import silent
 from analytic.scene import Contact, Material
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import solve_reference
 from fembearing.mesh.recipe import load_recipe
 from validation.study import Row, continued, read, run
 
@@ -71,7 +71,7 @@ CATALOGUE = (0.01, 0.0217)  # p0/E* on steel at 0.02 to 0.2 C0, where 4.2 GPa ar
 # Parts of fembearing on which a solve depends
 SOLVER = (
     *("fem", "mesh", "grid_convergence.py"),
-    *(f"check/contact/{part}.py" for part in ("reference", "twin_refinement", "mesh_refinement", "meshed_region")),
+    *(f"check/contact/{part}.py" for part in ("refinement", "meshed_region")),
 )
 MATERIALS = {  # E, nu; typical values
     "steel": (206e9, 0.3),

@@ -31,10 +31,11 @@ def compared(load: float, speed: float, viscosity: float) -> Iterator[dict[str, 
             inner_speed=speed / RPM.factor,
             tolerance=TOLERANCE,
         ).numbers
-        values = 1e3 * found.rolling_force.numerical, 1e6 * found.central_film.numerical
+        force, film = (found.quantities[name] for name in ("rolling_force", "central_film"))
+        values = 1e3 * force.reference, 1e6 * film.reference
         row = dict(zip(HEAD, (race, load, speed, viscosity, *values), strict=True))
-        for name, part in (("force", found.rolling_force), ("film", found.central_film)):
-            errors = part.formula / part.numerical - 1, part.discrepancy, part.relative_uncertainty
+        for name, part in (("force", force), ("film", film)):
+            errors = part.formula / part.reference - 1, part.discrepancy, part.relative_uncertainty
             row |= {
                 f"{name}_{of}": f"{each:+.4f}"
                 for of, each in zip(("formula", "model", "uncertainty"), errors, strict=True)

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.kinematics import ball_motion
 from analytic.result import FrictionTorque
 from analytic.scene import Operation, Scene
 from analytic.solve.model import model_of
@@ -49,14 +49,7 @@ def orbit_at_own_pitch() -> float:
     ball = solved(model, points_of(scene.operation, 0.0)).balls[0, 0]
     (inner, outer), motion, size = ball["angle"], ball["motion"], scene.bearing.ball_diameter
     pitch_diameter = 2 * motion["inner_radius"] + size * np.cos(inner)
-    rolling = ball_kinematics(
-        inner_speed=1.0,
-        inner_angle=inner,
-        outer_angle=outer,
-        pitch_diameter=float(pitch_diameter),
-        ball_diameter=size,
-        pitch=motion["pitch"],
-    )
+    rolling = ball_motion(1.0, inner, outer, motion["pitch"], float(pitch_diameter), size)
     return float(motion["cage_speed"] / rolling.cage_speed)
 
 

@@ -85,7 +85,7 @@ def heaviest(ball_count: int) -> float:
     """Z Q/Fr of the ball in line with a radial load, without clearance, at contact angle 0."""
     bearing, load = replace(with_clearance(0.0), ball_count=ball_count), 640.0
     ring = ring_equilibrium(bearing, ZERO, radial_load_x=load)
-    return ball_count * float(ring.inner_load.max()) / load
+    return ball_count * float(ring.balls["load"].max()) / load
 
 
 def spin_without_angle() -> float:

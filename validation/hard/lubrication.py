@@ -62,7 +62,7 @@ def contact(load: float = LOAD, curvature_transverse: float = SMALL) -> ContactN
 def shared(rms_roughness: float, *, load: float = LOAD, speed: float = SPEED, film_factor: float = 1.0) -> MixedContact:
     """Oil and asperities of two surfaces, each of this roughness, m; 0: smooth."""
     here = contact(load)
-    film = asymptotes_of(here, Inflow(speed, OIL.viscosity, OIL.pressure_viscosity))
+    film = asymptotes_of(here, Inflow(abs(speed), OIL.viscosity, OIL.pressure_viscosity))
     return mixed_contact(here, film, truncated(rms_roughness) if rms_roughness else SMOOTH_GAP, film_factor)
 
 

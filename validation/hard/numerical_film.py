@@ -124,7 +124,7 @@ def oiled(*, load: float = LIGHT, speed: float = 31.0, **changed: Any) -> Scene:
 
 def filmed(**changed: Any) -> float:
     """Central film on the inner race, m; arguments of `oiled`."""
-    return film_of(oiled(**changed), pair="inner", tolerance=0.2).numbers.central_film.numerical
+    return film_of(oiled(**changed), pair="inner", tolerance=0.2).numbers.quantities["central_film"].reference
 
 
 def reaching(ahead: float) -> float:

@@ -17,7 +17,7 @@ import time
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 import typer
@@ -25,8 +25,7 @@ import typer
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.mesh_refinement import COMPARED
-from fembearing.check.contact.twin_refinement import estimates_with_twin
+from fembearing.check.contact.refinement import COMPARED, estimates_with_twin
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_on_level
@@ -66,35 +65,50 @@ def main(
     report(continued(folder / "twin_coverage.csv", COLUMNS, seeds, lambda each: [compared(each)]))
 
 
-def random_contact(seed: int) -> Contact:
-    """Conformity 0.5025 to 0.6, semi-axes of 0.003 to 0.42 of the ball's radius, all pairs of four materials."""
-    rng = np.random.default_rng(seed)
+def ball_and_race(rng: np.random.Generator) -> dict[str, Any]:
+    """Radii, m, of a ball, its groove and the race along rolling, and which race it is; the angle of a contact, rad."""
     radius = 10 ** rng.uniform(-3, np.log10(0.02))
     groove = 2 * radius * (0.5025 + 0.0975 * rng.random() ** 2)
     angle = rng.uniform(0, 0.7)
     ring = radius / rng.uniform(0.06, 0.35) / np.cos(angle)  # half the pitch diameter over the cosine
     pair, rolling = ("inner", ring - radius) if rng.random() < 0.5 else ("outer", -ring - radius)
+    return {
+        "ball_radius": radius,
+        "groove_radius": groove,
+        "rolling_radius": rolling,
+        "pair": pair,
+        "contact_angle": angle,
+    }
+
+
+def drawn_materials(rng: np.random.Generator) -> dict[str, Material]:
     ball, race = (MATERIALS[number] for number in rng.choice(4, 2, p=[0.5, 0.2, 0.15, 0.15]))
-    size = radius * 10 ** rng.uniform(-2.5, np.log10(LARGEST))
-    is_near, distances = rng.random() < 0.5, size * rng.uniform(1.06, 2.0, 2)
-    if seed % POCKETS == 0:
-        pair, rolling, is_near = "pocket", -groove * rng.uniform(1.0, 1.5), False
-    widest = 0.95 * groove
-    contact = Contact(
-        pair=pair,
-        ball_radius=radius,
-        groove_radius=groove,
-        rolling_radius=rolling,
-        shoulder=min(distances[0], widest) if is_near else widest,
-        # The far shoulder is no lower than the bottom of the groove.
-        far_shoulder=min(max(distances[rng.integers(2)], groove * np.sin(angle)), widest) if is_near else widest,
-        contact_angle=angle if is_near else 0.0,
-        load=1.0,
-        ball_material=ball,
-        race_material=race,
-    )
+    return {"ball_material": ball, "race_material": race}
+
+
+def pressed_to(contact: Contact, size: float) -> Contact:
+    """The contact under the load at which Hertz's larger semi-axis has a size, m; it has 1 N now."""
     unit = hertz_quantities(contact)
     return replace(contact, load=float((size / max(unit.semi_axis_rolling, unit.semi_axis_transverse)) ** 3))
+
+
+def random_contact(seed: int) -> Contact:
+    """Conformity 0.5025 to 0.6, semi-axes of 0.003 to 0.42 of the ball's radius, all pairs of four materials."""
+    rng = np.random.default_rng(seed)
+    shape = ball_and_race(rng) | drawn_materials(rng)
+    groove, angle = shape["groove_radius"], shape["contact_angle"]
+    size = shape["ball_radius"] * 10 ** rng.uniform(-2.5, np.log10(LARGEST))
+    is_near, distances = rng.random() < 0.5, size * rng.uniform(1.06, 2.0, 2)
+    if seed % POCKETS == 0:
+        shape |= {"pair": "pocket", "rolling_radius": -groove * rng.uniform(1.0, 1.5)}
+        is_near = False
+    shoulder = far_shoulder = widest = 0.95 * groove
+    if is_near:
+        # The far shoulder is no lower than the bottom of the groove.
+        far_shoulder = min(max(distances[rng.integers(2)], groove * np.sin(angle)), widest)
+        shoulder = min(distances[0], widest)
+    shape |= {"shoulder": shoulder, "far_shoulder": far_shoulder, "contact_angle": angle if is_near else 0.0}
+    return pressed_to(Contact(**shape, load=1.0), size)
 
 
 def compared(seed: int) -> Row:

@@ -6,7 +6,10 @@ from dataclasses import replace
 import numpy as np
 
 from analytic.contact.rolling_contact import ContactNumbers
-from analytic.loads.balls import LoadEffects, thrust_balls
+from analytic.loads.kinematics import ruled_motion
+from analytic.loads.numbers import bearing_numbers
+from analytic.loads.race_contacts import contact_under
+from analytic.loads.thrust import thrust_equilibrium
 from analytic.makers import scene_band
 from analytic.oil.rolling import (
     OILED_FRICTION,
@@ -248,14 +251,16 @@ def measured_resistances() -> Iterator[tuple[str, str, float]]:
 
 
 def _contacts(scene: Scene) -> ContactNumbers:
-    operation = scene.operation.as_series()
-    first = operation.at(np.array([0]))
-    return thrust_balls(
-        scene.bearing,
-        scene.contact_angle,
-        first,
-        LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False),
-    ).contacts
+    """(2,) on inner and outer race at the first operating point, at rest."""
+    axial, numbers = float(scene.operation.as_series().axial_load[0]), bearing_numbers(scene.bearing)
+    ball = thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=axial)[()]
+    motion = ruled_motion(numbers, 1.0, *ball["angle"].tolist())
+    races = (numbers.inner, motion.inner_rolling_rate), (numbers.outer, motion.outer_rolling_rate)
+    contacts = [
+        contact_under(race, unit, ball["angle"][side], ball["load"][side], rate, 0.0)
+        for side, ((race, rate), unit) in enumerate(zip(races, (ball["inner_unit"], ball["outer_unit"]), strict=True))
+    ]
+    return ContactNumbers(*np.array(contacts).T)
 
 
 def _rigidity() -> Anchor:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 DRY_SHARE = (0.02, 0.12)  # of the lubricated torque, as stated
 
 
-def page(rigs: Sequence[Rig]) -> Iterator[str]:
+def rig_page(rigs: Sequence[Rig]) -> Iterator[str]:
     """measured.md, in Markdown; every number in it is computed."""
     yield from (*_verdict(rigs), *_points(rigs), *_mechanisms(rigs))
 

@@ -17,7 +17,10 @@ from typing import Any
 import numpy as np
 from scipy.special import ellipe
 
-from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
+from analytic.loads.kinematics import ruled_motion
+from analytic.loads.numbers import bearing_numbers
+from analytic.loads.thrust import thrust_equilibrium
+from analytic.numerics.records import Record
 from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Array, RollingFormula, Scene
 from analytic.scenefile.read import load_scene
@@ -26,7 +29,7 @@ from validation.measured.anchor import Anchor, first_what_is_missed
 from validation.measured.anchors_page import anchors_page, draw_anchors, write_anchors
 from validation.measured.makers import sliding_page
 from validation.measured.others import measured_resistances, others
-from validation.measured.page import draw, page
+from validation.measured.page import draw, rig_page
 from validation.study import PUBLISHED, SCENES, Out, run, write, write_text
 
 HERE = Path(__file__).parent
@@ -115,7 +118,7 @@ def main(out: Out = HERE) -> None:
     draw(rigs, out / "measured.png")
     write_anchors(anchors, out / "anchors.csv")
     draw_anchors(anchors, out / "anchors.png")
-    pages = {"measured.md": page(rigs), "anchors.md": anchors_page(anchors), "sliding.md": sliding_page()}
+    pages = {"measured.md": rig_page(rigs), "anchors.md": anchors_page(anchors), "sliding.md": sliding_page()}
     for name, lines in pages.items():
         write_text(out / name, lines)
 
@@ -226,24 +229,26 @@ def mechanisms(scene: Scene, computed: Array) -> Iterator[tuple[str, Array]]:
     yield "starvation, menisci at two semi-axes", total(starved) - computed
 
 
-def balls_of(scene: Scene) -> LoadedBalls:
-    effects = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
-    return thrust_balls(scene.bearing, scene.contact_angle, scene.operation.as_series(), effects)
+def ball_of(scene: Scene) -> Record:
+    """A ball under the scene's first thrust, at rest."""
+    axial = float(scene.operation.as_series().axial_load[0])
+    return thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=axial)[()]
 
 
 def snare(scene: Scene) -> float:
     """Torque of all contacts by Snare's resistance to rolling, N m."""
-    balls = balls_of(scene)
+    bearing, ball = scene.bearing, ball_of(scene)
+    motion = ruled_motion(bearing_numbers(bearing), 1.0, *ball["angle"].tolist())
     resistance = next(value for source, _, value in measured_resistances() if source == "Snare1968")
-    moment = resistance * balls.load[:, :1] * scene.bearing.ball_diameter
-    return float(balls.total(moment * balls.contacts.rolling_rate[:, :1])[0])
+    rates = np.array([motion.inner_rolling_rate, motion.outer_rolling_rate])
+    return float(bearing.ball_count * resistance * bearing.ball_diameter * (ball["load"] * rates).sum())
 
 
 def dry_pivoting(scene: Scene) -> float:
     """Torque of all contacts that pivot with the friction of asperities alone, N m: 3/8 mu Q b E(m) w/2 at each."""
-    balls = balls_of(scene)
-    contact, load = balls.contact, balls.load[0, 0, 0]
-    short, long = np.sort([contact.semi_axis_x[0, 0, 0], contact.semi_axis_y[0, 0, 0]])
+    ball = ball_of(scene)
+    unit, load = ball["inner_unit"], ball["load"][0]
+    short, long = np.sort([unit["semi_axis_x"], unit["semi_axis_y"]]) * np.cbrt(load)
     moment = 3 / 8 * scene.surface.boundary_friction * load * long * ellipe(1 - (short / long) ** 2)
     return float(2 * scene.bearing.ball_count * moment / 2)
 

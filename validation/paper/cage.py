@@ -9,13 +9,13 @@ the unit of a torque:
 - mean magnitude of the moment about the bearing's axis. Its sign changes and its mean is 0. It is no loss either.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
 from analytic.cage.motion import CageMotion
 from analytic.cage.pocket import friction_in_pocket
-from analytic.cage.statistics import CageStatistics, measured_motion
+from analytic.cage.statistics import CageStatistics
 from analytic.cage.steady import DrivenCage
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Array, Cage, CageStart, ContactAngle, Decision, Scene
@@ -39,19 +39,19 @@ SEEDS, DURATION = 8, 0.1  # many short motions: the largest force of one scatter
 
 @dataclass(frozen=True, kw_only=True)
 class CagePoint:
-    """The cage at one speed; SI. Ranges are lowest and highest of the seeds."""
+    """The cage at one speed; SI. Low and high are those of the seeds."""
 
-    friction_coefficient: float  # of ball on pocket
-    force: float  # sum of the normal forces of all pockets, mean
-    max_force: float  # largest of one ball in a run, median of the seeds
-    max_force_range: tuple[float, float]
-    torque: float  # power of sliding over the speed of the ring: a loss
+    cage_torque: float  # power of sliding over the speed of the ring: a loss
     impact_torque: float  # power lost in impacts over the speed of the ring: a loss, no part of a friction torque
-    ball_moments: float  # mu (sum N) r: friction moments about the balls' centres, sum of magnitudes
+    cage_moments: float  # mu (sum N) r: friction moments about the balls' centres, sum of magnitudes
     slip_share: float  # mean sliding speed, weighted with the force, over the speed of the balls' surface; 1 at rest
-    axial_moment: float  # mean magnitude of the balls' moment on the cage about the bearing's axis
+    cage_axial_moment: float  # mean magnitude of the balls' moment on the cage about the bearing's axis
+    cage_force: float  # sum of the normal forces of all pockets, mean
+    cage_max_force: float  # largest of one ball in a run, median of the seeds
+    cage_max_force_low: float
+    cage_max_force_high: float
+    pocket_coefficient: float  # of friction of ball on pocket
     traction_share: float  # of the traction that the races can give a ball, used by the mean force; above 1 it slides
-    state: str
 
 
 def at_finish(scene: Scene, rms_roughness: float) -> Scene:
@@ -123,17 +123,10 @@ def with_moving_cage(scene: Scene, cage: Cage, *, inner_speed: float) -> Scene:
     return replace(scene, cage=cage, operation=operation, effects={**scene.effects, **HELD_BALLS})
 
 
-def cage_at(scene: Scene, *, axis_angle: float | None = None) -> CagePoint:
-    """The motion of the cage of a scene with one operating point; it must be computed, not its closed form.
-
-    axis_angle : of the balls' axes to that of the bearing, rad; None: the contact angle
-    """
+def cage_at(scene: Scene) -> CagePoint:
+    """The motion of the cage of a scene with one operating point; it must be computed, not its closed form."""
     found, cage = friction_torque(scene), scene.cage
-    part = found.cage
-    motion, driven = part.motion[0], part.driven[0]
-    if axis_angle is not None:
-        driven = replace(driven, contact_angle=axis_angle)
-        motion = measured_motion(driven, start=motion.start, seeds=cage.seeds, duration=cage.duration)
+    motion, driven = found.cage.motion[0], found.cage.driven[0]
     runs = np.array(motion.block_maxima).reshape(cage.seeds, -1).max(axis=1)
     races = (found.friction_coefficient.inner, found.friction_coefficient.outer)
     held = min(
@@ -142,20 +135,21 @@ def cage_at(scene: Scene, *, axis_angle: float | None = None) -> CagePoint:
         if coefficient is not None
     )
     mu = driven.friction_coefficient
+    moments = mu * motion.mean_force * driven.ball_radius
     return CagePoint(
-        friction_coefficient=mu,
-        force=motion.mean_force,
-        max_force=float(np.median(runs)),
-        max_force_range=(float(runs.min()), float(runs.max())),
-        torque=motion.torque,
+        cage_torque=motion.torque,
         impact_torque=motion.damping_torque,
-        ball_moments=(moments := mu * motion.mean_force * driven.ball_radius),
+        cage_moments=moments,
         slip_share=motion.torque * abs(driven.ring_speed) / (moments * abs(driven.ball_speed)),
-        axial_moment=mean_axial_moment(driven, start=motion.start),
+        cage_axial_moment=mean_axial_moment(driven, start=motion.start),
+        cage_force=motion.mean_force,
+        cage_max_force=float(np.median(runs)),
+        cage_max_force_low=float(runs.min()),
+        cage_max_force_high=float(runs.max()),
+        pocket_coefficient=mu,
         traction_share=traction_share(
             force=motion.mean_force / driven.ball_count, friction_coefficient=mu, race_friction=held
         ),
-        state=motion.state,
     )
 
 
@@ -188,19 +182,7 @@ def traction_share(*, force: float, friction_coefficient: float, race_friction: 
 
 def cage_series(points: list[CagePoint]) -> dict[str, Array]:
     """The quantities of the cage over speed, SI, each (n,)."""
-    return {
-        "cage_torque": np.array([point.torque for point in points]),
-        "impact_torque": np.array([point.impact_torque for point in points]),
-        "cage_moments": np.array([point.ball_moments for point in points]),
-        "slip_share": np.array([point.slip_share for point in points]),
-        "cage_axial_moment": np.array([point.axial_moment for point in points]),
-        "cage_force": np.array([point.force for point in points]),
-        "cage_max_force": np.array([point.max_force for point in points]),
-        "cage_max_force_low": np.array([point.max_force_range[0] for point in points]),
-        "cage_max_force_high": np.array([point.max_force_range[1] for point in points]),
-        "pocket_coefficient": np.array([point.friction_coefficient for point in points]),
-        "traction_share": np.array([point.traction_share for point in points]),
-    }
+    return {each.name: np.array([getattr(point, each.name) for point in points]) for each in fields(CagePoint)}
 
 
 def mixed_coefficient(scene: Scene, cage: Cage, *, force: Array) -> Array:
@@ -209,14 +191,7 @@ def mixed_coefficient(scene: Scene, cage: Cage, *, force: Array) -> Array:
     cage : gives the pocket;  force : of all balls on their pockets at the scene's speeds, sum, N, (n,)
     """
     bearing, angle = scene.bearing, LOADED
-    motion = ball_kinematics(
-        inner_speed=scene.operation.inner_speed,
-        inner_angle=angle,
-        outer_angle=angle,
-        pitch_diameter=bearing.pitch_diameter,
-        ball_diameter=bearing.ball_diameter,
-    )
+    motion = ball_kinematics(1.0, angle, angle, bearing.pitch_diameter, bearing.ball_diameter)
     oiled = replace(scene, cage=replace(cage, friction_coefficient=None))
-    return friction_in_pocket(
-        oiled, load=force / bearing.ball_count, surface_speed=motion.ball_speed * bearing.ball_radius
-    ).coefficient
+    surface = motion.ball_speed * scene.operation.inner_speed * bearing.ball_radius
+    return friction_in_pocket(oiled, load=force / bearing.ball_count, surface_speed=surface).coefficient

@@ -4,10 +4,9 @@ Every reading has a friction torque, in which the cage counts with the power of 
 the balls' centres, which are no loss, are compared with the paper's cage torque beside it.
 """
 
-import csv
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
 
 import numpy as np
 
@@ -16,9 +15,9 @@ from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from validation.paper.cage import ROUGH, RPM, SMOOTH, at_finish, cage_at, cage_scene, cage_series
 from validation.paper.inputs import assumed_inputs
+from validation.study import SCENES as FILES
+from validation.study import published as published_rows
 
-HERE = Path(__file__).parent
-PUBLISHED = HERE.parent / "published" / "paper_torque.csv"
 SCENES = {  # reading -> file and description
     "as printed": (
         "6205_paper_as_printed.toml",
@@ -45,6 +44,7 @@ MATCH = 1.1  # factor; rounding makes some published values uncertain by 7 %, fo
 FLAT = 0.1  # relative, lowest to highest value: "minimal impact" or "almost constant" in the paper
 
 Series = Mapping[str, Array]  # over speed, SI, each (n,)
+Stored = dict[str, Any]  # of paper.json
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,69 +59,8 @@ class Point:
     note: str  # "printed" or "about"
 
 
-@dataclass(frozen=True, kw_only=True)
-class PointComparison:
-    """A number of the paper and that of a reading."""
-
-    point: Point
-    ours: str  # quantity of the reading
-    computed: float
-
-    @property
-    def deviation(self) -> float:
-        """Computed over published, minus 1."""
-        return self.computed / self.point.value - 1
-
-    @property
-    def factor(self) -> float:
-        """Of the two, the larger over the smaller."""
-        return float(np.exp(abs(np.log(self.computed / self.point.value))))
-
-
-@dataclass(frozen=True, kw_only=True)
-class Curve:
-    """A quantity over speed at one roughness, at the speeds at which the paper prints it."""
-
-    ours: str
-    rms_roughness: float
-    factors: tuple[float, ...]
-
-    @property
-    def worst(self) -> float:
-        return max(self.factors)
-
-    @property
-    def verdict(self) -> str:
-        return "matched" if self.worst <= MATCH else f"within a factor of {self.worst:.3g}"
-
-
-@dataclass(frozen=True, kw_only=True)
-class Trend:
-    """A conclusion of the paper and whether it holds."""
-
-    claim: str
-    held: bool
-    detail: str
-
-
-@dataclass(frozen=True, kw_only=True)
-class Comparison:
-    """The comparison of one scene with the paper."""
-
-    name: str
-    kind: str
-    assumed: Mapping[str, str]
-    rough: Series
-    smooth: Series
-    points: tuple[PointComparison, ...]
-    curves: tuple[Curve, ...]
-    trends: tuple[Trend, ...]
-    warnings: tuple[str, ...]
-
-
 def published() -> list[Point]:
     """The numbers from the paper."""
-    lines = [line for line in PUBLISHED.read_text("utf-8").splitlines() if not line.startswith("#")]
     return [
         Point(
             quantity=row["quantity"],
@@ -131,34 +70,33 @@ def published() -> list[Point]:
             unit=row["unit"],
             note=row["note"],
         )
-        for row in csv.DictReader(lines)
+        for row in published_rows("paper_torque.csv")
     ]
 
 
 def load(name: str) -> Scene:
-    return load_scene(HERE.parent / "scenes" / SCENES[name][0])
+    return load_scene(FILES / SCENES[name][0])
 
 
-def compare(name: str, points: list[Point]) -> Comparison:
+def compare(name: str, points: list[Point]) -> Stored:
+    """One scene beside the paper; its series by Sq, m."""
     scene = load(name)
-    finishes = [at_finish(scene, roughness) for roughness in (ROUGH, SMOOTH)]
-    rough, smooth = (series(name, finish) for finish in finishes)
-    compared = tuple(row for point in points for row in beside(point, rough if is_rough(point) else smooth))
-    return Comparison(
-        name=name,
-        kind=SCENES[name][1],
-        assumed=assumed_inputs(name, scene),
-        rough=rough,
-        smooth=smooth,
-        points=compared,
-        curves=tuple(curves(compared)),
-        trends=tuple(trends(rough, smooth)),
-        warnings=tuple(dict.fromkeys(text for finish in finishes for text in friction_torque(finish).warnings)),
-    )
-
-
-def is_rough(point: Point) -> bool:
-    return point.rms_roughness == ROUGH
+    finishes = {roughness: at_finish(scene, roughness) for roughness in (ROUGH, SMOOTH)}
+    found = {roughness: series(name, finish) for roughness, finish in finishes.items()}
+    compared = [row for point in points for row in beside(point, found[point.rms_roughness])]
+    warnings = (text for finish in finishes.values() for text in friction_torque(finish).warnings)
+    file, kind = SCENES[name]
+    return {
+        "name": name,
+        "kind": kind,
+        "file": file,
+        "assumed": assumed_inputs(name, scene),
+        "series": {f"{roughness:g}": values for roughness, values in found.items()},
+        "beside": compared,
+        "curves": curves(compared),
+        "trends": trends(found[ROUGH], found[SMOOTH]),
+        "warnings": list(dict.fromkeys(warnings)),
+    }
 
 
 def series(name: str, scene: Scene) -> Series:
@@ -180,26 +118,30 @@ def series(name: str, scene: Scene) -> Series:
     }
 
 
-def beside(point: Point, values: Series) -> list[PointComparison]:
+def beside(point: Point, values: Series) -> Iterator[Stored]:
     """The reading at a point of the paper; a torque of the cage counts as a power, and then as friction moments."""
-    names = [point.quantity, *([MOMENTS[point.quantity]] if point.quantity in MOMENTS else [])]
+    for name in (point.quantity, *([MOMENTS[point.quantity]] if point.quantity in MOMENTS else [])):
+        computed = float(np.interp(point.inner_speed, values["inner_speed"], values[name]))
+        yield {"point": asdict(point), "ours": name, "computed": computed, "deviation": computed / point.value - 1}
+
+
+def curves(points: list[Stored]) -> list[Stored]:
+    """One curve for each quantity and roughness, in the order of the points; factors : the larger over the smaller."""
+    groups: dict[tuple[str, float], list[float]] = {}
+    for one in points:
+        factor = float(np.exp(abs(np.log1p(one["deviation"]))))
+        groups.setdefault((one["ours"], one["point"]["rms_roughness"]), []).append(factor)
     return [
-        PointComparison(
-            point=point, ours=name, computed=float(np.interp(point.inner_speed, values["inner_speed"], values[name]))
-        )
-        for name in names
+        {"ours": ours, "rms_roughness": sq, "factors": found, "verdict": verdict(max(found))}
+        for (ours, sq), found in groups.items()
     ]
 
 
-def curves(points: tuple[PointComparison, ...]) -> list[Curve]:
-    """One curve for each quantity and roughness, in the order of the points."""
-    groups: dict[tuple[str, float], list[float]] = {}
-    for one in points:
-        groups.setdefault((one.ours, one.point.rms_roughness), []).append(one.factor)
-    return [Curve(ours=ours, rms_roughness=sq, factors=tuple(found)) for (ours, sq), found in groups.items()]
+def verdict(worst: float) -> str:
+    return "matched" if worst <= MATCH else f"within a factor of {worst:.3g}"
 
 
-def trends(rough: Series, smooth: Series) -> list[Trend]:
+def trends(rough: Series, smooth: Series) -> list[Stored]:
     """The conclusions of the paper, in its order."""
     both = (rough, smooth)
     races = ("inner_coefficient", "outer_coefficient")
@@ -227,9 +169,9 @@ def trends(rough: Series, smooth: Series) -> list[Trend]:
 Outcome = tuple[bool, list[str]]  # whether a conclusion holds, with its numbers
 
 
-def _trend(claim: str, outcome: Outcome) -> Trend:
+def _trend(claim: str, outcome: Outcome) -> Stored:
     held, numbers = outcome
-    return Trend(claim=claim, held=held, detail="; ".join(numbers))
+    return {"claim": claim, "held": held, "detail": "; ".join(numbers)}
 
 
 def _together(parts: Iterable[Outcome]) -> Outcome:

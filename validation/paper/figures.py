@@ -1,21 +1,19 @@
 """Figures 5 to 9 of [Paper] beside ours. Lines are three readings, marks the numbers that the paper prints."""
 
-from collections.abc import Mapping
 from pathlib import Path
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-from analytic.scene import Array, Autocorrelation
+from analytic.scene import Autocorrelation
 from analytic.surface.roughness import generated_surface
 from validation.paper.cage import ROUGH, RPM, SMOOTH
-from validation.paper.comparison import Comparison, Point, Series
-
-mpl.use("agg")
+from validation.paper.comparison import Point, Series, Stored, load, published
+from validation.study import figure as empty
+from validation.study import save
 
 FINISHES = (ROUGH, SMOOTH)
 COLOURS = {"as printed": "tab:orange", "calibrated": "tab:blue", "physical": "tab:green"}
@@ -23,6 +21,26 @@ MAP_POINTS, MAP_SEED = 256, 5
 MOMENTS = "calibrated, friction moments in place of power"
 LEAST = {"cage_torque": 0.03, "cage_max_force": 0.5, "pocket_coefficient": 0.02, "pocket": 3e-6}  # of logarithmic axes
 Panel = tuple[str, str, float]  # title, quantity, factor from SI
+Readings = dict[str, dict[float, Series]]  # by name and Sq, m
+
+
+def draw_all(stored: Stored, folder: Path) -> None:
+    """All pictures, from what `run.py` stores."""
+    readings = {
+        one["name"]: {float(sq): _arrays(part) for sq, part in one["series"].items()} for one in stored["readings"]
+    }
+    points, autocorrelation = published(), load("calibrated").surface.autocorrelation
+    assert autocorrelation is not None
+    draw_surfaces(autocorrelation, folder / "paper_5_surfaces.png")
+    draw_total(readings, points, folder / "paper_6_total.png")
+    draw_coefficients(readings, folder / "paper_7_coefficients.png")
+    draw_parts(readings, points, folder / "paper_8_torques.png")
+    draw_forces(readings, points, folder / "paper_9_forces.png")
+    draw_pocket(readings["calibrated"], stored["mixed_pocket_coefficients"], folder / "paper_pocket.png")
+
+
+def _arrays(part: Stored) -> Series:
+    return {name: np.array(values) for name, values in part.items()}
 
 
 def draw_surfaces(autocorrelation: Autocorrelation, path: Path) -> None:
@@ -44,12 +62,12 @@ def draw_surfaces(autocorrelation: Autocorrelation, path: Path) -> None:
     axes[2].set(title="middle rows of both, one scale", xlabel="x, mm", ylabel="height, µm", ylim=(-2.2, 3))
     axes[2].legend(frameon=False, loc="upper right", ncols=2)
     axes[2].grid(alpha=0.3)
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
-def draw_total(readings: list[Comparison], points: list[Point], path: Path) -> None:
+def draw_total(readings: Readings, points: list[Point], path: Path) -> None:
     """Figure 6."""
-    figure = Figure(figsize=(9.0, 4.4), layout="constrained")
+    figure = empty(9.0, 4.4)
     axes = figure.subplots(1, 2, sharey=True)
     for axis, roughness in zip(axes, FINISHES, strict=True):
         _panel(axis, readings, points, roughness, ("", "total_torque", 1e3))
@@ -57,12 +75,12 @@ def draw_total(readings: list[Comparison], points: list[Point], path: Path) -> N
         axis.set(title=f"Sq {roughness * 1e6:g} µm", ylim=(0, 70))
     axes[0].set_ylabel("total friction torque, N mm")
     _legend(figure, axes[0])
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
-def draw_coefficients(readings: list[Comparison], path: Path) -> None:
+def draw_coefficients(readings: Readings, path: Path) -> None:
     """Figure 7; the paper has no numbers for it."""
-    figure = Figure(figsize=(10.0, 4.2), layout="constrained")
+    figure = empty(10.0, 4.2)
     axes = figure.subplots(1, 3)
     panels: list[Panel] = [
         ("(a) ball on outer race", "outer_coefficient", 1.0),
@@ -70,12 +88,12 @@ def draw_coefficients(readings: list[Comparison], path: Path) -> None:
         ("(c) ball on cage", "pocket_coefficient", 1.0),
     ]
     for axis, (title, quantity, _) in zip(axes, panels, strict=True):
-        for one in readings:
-            for values, style, sq in ((one.rough, "-", "1"), (one.smooth, "--", "0.1")):
-                same = quantity != "pocket_coefficient" and one.name == "as printed"
-                if not same:  # the races of this reading have the coefficients of the calibrated one
-                    axis.plot(values["inner_speed"] / RPM, values[quantity], style, color=COLOURS[one.name],
-                              marker=".", label=f"{one.name}, Sq {sq} µm")  # fmt: skip
+        for name, one in readings.items():
+            if quantity != "pocket_coefficient" and name == "as printed":
+                continue  # the races of this reading have the coefficients of the calibrated one
+            for sq, style in ((ROUGH, "-"), (SMOOTH, "--")):
+                axis.plot(one[sq]["inner_speed"] / RPM, one[sq][quantity], style, color=COLOURS[name], marker=".",
+                          label=f"{name}, Sq {sq * 1e6:g} µm")  # fmt: skip
         _speeds(axis)
         axis.set(title=title, ylim=(0, 0.12))
     axes[2].set(yscale="log", ylim=(LEAST["pocket_coefficient"], 0.2), yticks=(0.02, 0.05, 0.1, 0.2))
@@ -84,12 +102,12 @@ def draw_coefficients(readings: list[Comparison], path: Path) -> None:
     _off_scale(axes[2], readings, "pocket_coefficient", ROUGH, "", 1.0)
     axes[0].set_ylabel("friction coefficient")
     _legend(figure, axes[2])
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
-def draw_parts(readings: list[Comparison], points: list[Point], path: Path) -> None:
+def draw_parts(readings: Readings, points: list[Point], path: Path) -> None:
     """Figure 8."""
-    figure = Figure(figsize=(10.0, 6.6), layout="constrained")
+    figure = empty(10.0, 6.6)
     axes = figure.subplots(2, 3, sharex=True)
     panels: list[Panel] = [
         ("(a) balls on races", "race_torque", 1e3),
@@ -112,19 +130,19 @@ def draw_parts(readings: list[Comparison], points: list[Point], path: Path) -> N
             axis.set_xlabel(axis.get_xlabel() if roughness == SMOOTH else "")
         row[0].set_ylabel("friction torque, N mm")
     _legend(figure, axes[0, 1], axes[0, 2])
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
-def draw_forces(readings: list[Comparison], points: list[Point], path: Path) -> None:
+def draw_forces(readings: Readings, points: list[Point], path: Path) -> None:
     """Figure 9."""
-    figure = Figure(figsize=(9.0, 4.4), layout="constrained")
+    figure = empty(9.0, 4.4)
     axes = figure.subplots(1, 2, sharey=True)
     for axis, roughness in zip(axes, FINISHES, strict=True):
-        for one in readings:
-            values = _values(one, roughness)
+        for name, one in readings.items():
+            values = one[roughness]
             middle, low, high = (values[f"cage_max_force{end}"] for end in ("", "_low", "_high"))
             axis.errorbar(values["inner_speed"] / RPM, middle, yerr=(middle - low, high - middle), marker=".",
-                          color=COLOURS[one.name], capsize=3, lw=1.5, label=one.name)  # fmt: skip
+                          color=COLOURS[name], capsize=3, lw=1.5, label=name)  # fmt: skip
         _marks(axis, points, "cage_max_force", roughness, 1.0)
         _speeds(axis)
         axis.set(title=f"Sq {roughness * 1e6:g} µm", yscale="log", ylim=(LEAST["cage_max_force"], 400))
@@ -132,35 +150,35 @@ def draw_forces(readings: list[Comparison], points: list[Point], path: Path) -> 
         _off_scale(axis, readings, "cage_max_force", roughness, "N", 1.0)
     axes[0].set_ylabel("largest force of a ball on the cage, N")
     _legend(figure, axes[0])
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
-def draw_pocket(
-    needed: Mapping[float, Array], mixed: Mapping[tuple[str, float], Array], speeds: Array, path: Path
-) -> None:
+def draw_pocket(calibrated: dict[float, Series], mixed: list[Stored], path: Path) -> None:
     """The coefficient of ball on pocket that the paper's cage torque needs, and mixed lubrication's; by roughness."""
-    figure = Figure(figsize=(9.0, 4.4), layout="constrained")
+    figure = empty(9.0, 4.4)
     axes = figure.subplots(1, 2, sharey=True)
-    names = list(dict.fromkeys(name for name, _ in mixed))
     for axis, roughness in zip(axes, FINISHES, strict=True):
-        axis.plot(speeds / RPM, needed[roughness], "k-", lw=2.5, label="needed for the paper's cage torque")
-        for name in names:
-            colour = COLOURS["calibrated" if name.startswith("calibrated") else "physical"]
-            style = "--" if "table 1" in name else "-"
-            axis.plot(speeds / RPM, mixed[name, roughness], style, color=colour, marker=".", label=name)
+        values = calibrated[roughness]
+        speeds = values["inner_speed"] / RPM
+        axis.plot(speeds, values["pocket_coefficient"], "k-", lw=2.5, label="needed for the paper's cage torque")
+        for one in mixed:
+            if one["rms_roughness"] == roughness:
+                name = one["pocket"]
+                colour = COLOURS["calibrated" if name.startswith("calibrated") else "physical"]
+                style = "--" if "table 1" in name else "-"
+                axis.plot(speeds, one["coefficient"], style, color=colour, marker=".", label=name)
         _speeds(axis)
         axis.set(title=f"Sq {roughness * 1e6:g} µm", yscale="log", ylim=(LEAST["pocket"], 1))
     axes[0].set_ylabel("friction coefficient, ball on pocket")
     _legend(figure, axes[0], columns=2)
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
-def _panel(axis: Axes, readings: list[Comparison], points: list[Point], roughness: float, panel: Panel) -> None:
+def _panel(axis: Axes, readings: Readings, points: list[Point], roughness: float, panel: Panel) -> None:
     _, quantity, factor = panel
-    for one in readings:
-        values = _values(one, roughness)
-        axis.plot(values["inner_speed"] / RPM, values[quantity] * factor, color=COLOURS[one.name], marker=".",
-                  label=one.name)  # fmt: skip
+    for name, one in readings.items():
+        values = one[roughness]
+        axis.plot(values["inner_speed"] / RPM, values[quantity] * factor, color=COLOURS[name], marker=".", label=name)
     _marks(axis, points, quantity, roughness, factor)
     _speeds(axis)
 
@@ -174,31 +192,20 @@ def _marks(axis: Axes, points: list[Point], quantity: str, roughness: float, fac
                       mew=1.5, ms=7, label=label, zorder=4)  # fmt: skip
 
 
-def _moments(axis: Axes, readings: list[Comparison], roughness: float, quantity: str) -> None:
-    for one in readings:
-        if one.name == "calibrated":
-            values = _values(one, roughness)
-            axis.plot(values["inner_speed"] / RPM, values[quantity] * 1e3, ":", color=COLOURS[one.name], lw=2,
-                      label=MOMENTS)  # fmt: skip
+def _moments(axis: Axes, readings: Readings, roughness: float, quantity: str) -> None:
+    values = readings["calibrated"][roughness]
+    speeds, colour = values["inner_speed"] / RPM, COLOURS["calibrated"]
+    axis.plot(speeds, values[quantity] * 1e3, ":", color=colour, lw=2, label=MOMENTS)
 
 
-def _off_scale(
-    axis: Axes, readings: list[Comparison], quantity: str, roughness: float, unit: str, factor: float
-) -> None:
+def _off_scale(axis: Axes, readings: Readings, quantity: str, roughness: float, unit: str, factor: float) -> None:
     """Names readings that lie below a logarithmic axis."""
-    for one in readings:
-        highest = float(_values(one, roughness)[quantity].max()) * factor
+    for name, one in readings.items():
+        highest = float(one[roughness][quantity].max()) * factor
         if highest < axis.get_ylim()[0]:
-            axis.text(0.03, 0.03, f"{one.name}: below {_power_above(highest)} {unit}", color=COLOURS[one.name],
-                      transform=axis.transAxes, fontsize=8)  # fmt: skip
-
-
-def _power_above(value: float) -> str:
-    return f"$10^{{{int(np.ceil(np.log10(value)))}}}$"
-
-
-def _values(one: Comparison, roughness: float) -> Series:
-    return one.rough if roughness == ROUGH else one.smooth
+            power = f"$10^{{{int(np.ceil(np.log10(highest)))}}}$"
+            words = f"{name}: below {power} {unit}"
+            axis.text(0.03, 0.03, words, color=COLOURS[name], transform=axis.transAxes, fontsize=8)
 
 
 def _speeds(axis: Axes) -> None:
@@ -215,7 +222,3 @@ def _legend(figure: Figure, *axes: Axes, columns: int = 3) -> None:
     labels = sorted(kept, key=lambda label: not label.startswith("paper"))  # stable: the rest keeps its order
     figure.legend([kept[label] for label in labels], labels, loc="outside lower center", ncols=columns, frameon=False,
                   fontsize=9)  # fmt: skip
-
-
-def _save(figure: Figure, path: Path) -> None:
-    figure.savefig(path, dpi=100, metadata={"Software": None})

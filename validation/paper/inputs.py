@@ -1,45 +1,9 @@
-"""What the readings of [Paper] take in: its table 1, inputs that it does not give, and those that are calibrated."""
-
-from dataclasses import dataclass
+"""What the readings of [Paper] take in: its table 1, and inputs that it does not give."""
 
 import numpy as np
 
 from analytic.scene import Scene
 from validation.paper.cage import COEFFICIENTS, FASTEST, ROUGH, RPM, SLOWEST, SMOOTH, cage_scene
-
-
-@dataclass(frozen=True, kw_only=True)
-class CalibratedInput:
-    """An input of the calibrated reading that was chosen so that numbers of the paper come out."""
-
-    name: str  # a key of `assumed_inputs`
-    target: str
-    usual: str
-
-
-CALIBRATED = (
-    CalibratedInput(name="viscosity", target="race torque", usual="0.01 to 0.1 Pa s in a warm bearing"),
-    CalibratedInput(name="pressure-viscosity", target="race torque", usual="1.5e-8 to 2.5e-8 1/Pa: lower than usual"),
-    CalibratedInput(name="shear stress", target="race torque", usual="2 to 10 MPa; constant is a crude law"),
-    CalibratedInput(name="hardness", target="race torque", usual="7 to 8 GPa"),
-    CalibratedInput(name="boundary friction", target="race torque", usual="0.08 to 0.15: not plausible"),
-    CalibratedInput(name="hysteresis loss", target="race torque at Sq 0.1 um", usual="about 0.007"),
-    CalibratedInput(name="autocorrelation", target="race torque", usual="10 to 100 um for a ground race: long"),
-    CalibratedInput(name="cage, clearance", target="largest cage force", usual="0.1 to 0.3 mm: small"),
-    CalibratedInput(
-        name="cage, start", target="largest cage force", usual="a cage that starts slowly comes to rest and stays there"
-    ),
-    CalibratedInput(
-        name="cage, angle of the balls' axes",
-        target="largest cage force",
-        usual="the loaded angle; but the race torque was fitted at 0.18 rad",
-    ),
-    CalibratedInput(
-        name="cage, ball on pocket",
-        target="cage torque, read as friction moments about the balls' centres",
-        usual="0.05 to 0.15; its fall with speed is fitted, not derived",
-    ),
-)
 
 
 def assumed_inputs(reading: str, scene: Scene) -> dict[str, str]:

@@ -46,26 +46,15 @@ def printed_jumps(scene: Scene) -> list[Jump]:
         derived = microslip_moments(**outer, deformed_radius=surface, spin_to_roll=ratios)
         for name, ours, theirs in zip(("M_z", "M_r"), derived, printed, strict=True):
             jumps.append(Jump(where=where, quantity=name, unit="N mm", printed=_pair(theirs), derived=_pair(ours)))
-    motion = ball_kinematics(
-        inner_speed=1.0,
-        inner_angle=found.contact_angle,
-        outer_angle=found.contact_angle,
-        pitch_diameter=bearing.pitch_diameter,
-        ball_diameter=bearing.ball_diameter,
-    )
+    angle = float(found.contact_angle[0])
+    motion = ball_kinematics(1.0, angle, angle, bearing.pitch_diameter, bearing.ball_diameter)
     # With a very small spin the outer contact resists rolling; at a given angle nothing else in the scene changes.
-    added = float((bearing.ball_count * jumps[1].printed[1] * motion.outer_rolling_rate)[0])
+    added = float(bearing.ball_count * jumps[1].printed[1] * motion.outer_rolling_rate)
     derived = float(friction_torque(replace(scene, microslip="derived")).torque.total[0])
     printed = float(found.torque.total[0])
-    jumps.append(
-        Jump(
-            where="bearing, outer ratio 0",
-            quantity="torque",
-            unit="N mm",
-            printed=(printed, printed + added),
-            derived=(derived, derived),
-        )
-    )
+    whole = {"quantity": "torque", "unit": "N mm"}
+    beside = {"printed": (printed, printed + added), "derived": (derived, derived)}
+    jumps.append(Jump(where="bearing, outer ratio 0", **whole, **beside))
     rate = float((motion.spin_difference / motion.inner_rolling_rate)[0])
     surface = deformed_radius(groove_radius=bearing.inner.groove_radius, ball_diameter=bearing.ball_diameter)
     ratio = rate * float(surface) / found.inner.semi_axis_transverse[0]
@@ -78,16 +67,9 @@ def printed_jumps(scene: Scene) -> list[Jump]:
             inner_speed=np.repeat(scene.operation.inner_speed, 2),
         ),
     )
-    jumps.append(
-        Jump(
-            where=f"bearing, inner ratio 1/2 (at {load:.3g} N)",
-            quantity="torque",
-            unit="N mm",
-            printed=_pair(friction_torque(sides).torque.total),
-            derived=_pair(friction_torque(replace(sides, microslip="derived")).torque.total),
-        )
-    )
-    return jumps
+    beside = {"printed": sides, "derived": replace(sides, microslip="derived")}
+    beside = {name: _pair(friction_torque(each).torque.total) for name, each in beside.items()}
+    return [*jumps, Jump(where=f"bearing, inner ratio 1/2 (at {load:.3g} N)", **whole, **beside)]
 
 
 def _pair(values: Array) -> tuple[float, float]:

@@ -1,15 +1,15 @@
 """Our finite elements against other solvers, on cases with an exact answer by Hertz: python validation/peers/run.py
 
-Each solver computes each case with several refinements, each in its own process: first all on one mesh with one far
-field, so that only the solver differs, then each in its ordinary workflow, with the mesh and the boundary that its
-documentation teaches. Prints the errors against exact Hertz with seconds and memory, and writes peers.json and
-peers.png. Unknowns are the free ones of one body. A solver that is not installed is skipped. A solver that fails is
-listed, and the exit status is then 1. --long adds the finest refinement of each solver.
+Each solver computes each case with several refinements, each in its own process, all finite elements on one mesh with
+one far field, so that only the solver differs. Prints the errors against exact Hertz with seconds and memory. Writes
+peers.json and peers.png. Unknowns are the free ones of one body. A solver that is not installed is skipped. A solver
+that fails is listed, and the exit status is then 1. --long adds the finest refinement of each solver.
 """
 
 # Standard library only until every peer has run: the peak memory of a child starts at the memory of its parent.
 import argparse
 import contextlib
+import itertools
 import json
 import os
 import platform
@@ -32,26 +32,18 @@ NAMES = {
     "ngsolve": "NGSolve, finite elements",
     "calculix": "CalculiX, finite elements",
 }
-# Program, refinements, and those added by --long, of each peer in each workflow
-WORKFLOWS: dict[str, dict[str, tuple[str, tuple[int, ...], tuple[int, ...]]]] = {
-    "same mesh": {
-        "ours": ("ours.py", (1, 2, 3, 4), (6,)),
-        "tamaas": ("tamaas_bem.py", (16, 32, 64, 128, 256), (512,)),
-        "ngsolve": ("ngsolve_contact.py", (1, 2, 3, 4), (6,)),
-        "calculix": ("calculix.py", (1, 2, 3), (4,)),
-    },
-    "ordinary": {
-        "ours": ("ours_ordinary.py", (2, 3), ()),
-        "tamaas": ("tamaas_ordinary.py", (128, 256, 512), (1024,)),
-        "ngsolve": ("ngsolve_ordinary.py", (4, 8), (16,)),
-    },
+# Program, refinements, and those added by --long, of each peer
+LADDERS: dict[str, tuple[str, tuple[int, ...], tuple[int, ...]]] = {
+    "ours": ("ours.py", (1, 2, 3, 4), (6,)),
+    "tamaas": ("tamaas_bem.py", (16, 32, 64, 128, 256), (512,)),
+    "ngsolve": ("ngsolve_contact.py", (1, 2, 3, 4), (6,)),
+    "calculix": ("calculix.py", (1, 2, 3), (4,)),
 }
 
 
 def main(argv: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--peers", nargs="+", choices=NAMES, default=list(NAMES), metavar="PEER", help=", ".join(NAMES))
-    parser.add_argument("--workflows", nargs="+", choices=WORKFLOWS, default=list(WORKFLOWS), help="which comparison")
     parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES), metavar="CASE", help=", ".join(CASES))
     parser.add_argument("--out", type=Path, default=HERE, help="folder for peers.json and peers.png")
     parser.add_argument("--repeats", type=int, default=1, help="processes for each row; their median counts")
@@ -63,27 +55,18 @@ def main(argv: list[str] | None = None) -> int:
             parser.error(f"--{name} must be at least 1, got {getattr(options, name)}")
     start = time.perf_counter()
     rows, skipped = [], {}
-    wanted = [
-        (workflow, peer, *WORKFLOWS[workflow][peer])
-        for workflow in dict.fromkeys(options.workflows)
-        for peer in dict.fromkeys(options.peers)
-        if peer in WORKFLOWS[workflow]
-    ]
-    for workflow, peer, program, ordinary, finest in wanted:
+    for peer in dict.fromkeys(options.peers):
+        program, ordinary, finest = LADDERS[peer]
         ladder = (ordinary + (finest if options.long else ()))[: options.steps]
-        for case in map(CASES.__getitem__, dict.fromkeys(options.cases)):
-            for refinement in ladder:
-                if peer in skipped:
-                    break
-                row = measured(program, case, refinement, repeats=options.repeats)
-                if "skipped" in row:
-                    skipped[peer] = row["skipped"]
-                    sys.stderr.write(f"{peer} skipped: {row['skipped']}\n")
-                    continue
-                rows.append({"workflow": workflow, "peer": peer, "case": case.name, "refinement": refinement, **row})
-                word = row.get("failed") or f"{row['solve_seconds']:.2f} s"
-                sys.stderr.write(f"{workflow}, {peer} {case.name} {refinement}: {word}\n")
-    from validation.peers.table import exact_answers, print_table, with_errors
+        for name, refinement in itertools.product(dict.fromkeys(options.cases), ladder):
+            row = measured(program, CASES[name], refinement, repeats=options.repeats)
+            if "skipped" in row:
+                skipped[peer] = row["skipped"]
+                sys.stderr.write(f"{peer} skipped: {row['skipped']}\n")
+                break
+            rows.append({"peer": peer, "case": name, "refinement": refinement, **row})
+            sys.stderr.write(f"{peer} {name} {refinement}: {row.get('failed') or row['solve_seconds']}\n")
+    from validation.peers.shown import draw, exact_answers, print_table, with_errors
 
     exact = exact_answers([CASES[name] for name in options.cases])
     result = {
@@ -93,15 +76,13 @@ def main(argv: list[str] | None = None) -> int:
         "versions": versions(),
         "seconds": time.perf_counter() - start,
         "cases": {name: asdict(CASES[name]) | {"exact": exact[name]} for name in options.cases},
-        "rows": with_errors(rows, exact),
+        "rows": list(with_errors(rows, exact)),
         "skipped": skipped,
     }
     options.out.mkdir(parents=True, exist_ok=True)
     (options.out / "peers.json").write_text(json.dumps(result, indent=1) + "\n", "utf-8")
     print_table(result)
     if any("errors" in row for row in result["rows"]):
-        from validation.peers.figure import draw
-
         draw(result, options.out / "peers.png", names=NAMES)
     return 1 if any("failed" in row for row in rows) else 0
 

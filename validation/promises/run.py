@@ -29,8 +29,7 @@ from typing import Annotated
 
 import numpy as np
 import typer
-from rich.console import Console
-from rich.progress import Progress, TimeElapsedColumn, TimeRemainingColumn
+from rich.progress import track
 
 from analytic import friction_torque
 from analytic.errors import FembearingError, InputError
@@ -38,6 +37,7 @@ from analytic.result import FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.scenefile.read import parse_scene
 from validation.promises.drawn import INPUTS, LONG_SERIES, scene_text
+from validation.study import Jobs, out, progress, run
 
 TOLERANCE, FINE = 0.01, 0.0001
 MOST_OUTSIDE, MOST_TIMES = 0.002, 3.0  # of the scenes; of the stated uncertainty
@@ -47,7 +47,6 @@ ROUND_OFF = 1e-9  # relative: where nothing is left to be uncertain, two runs st
 LONGEST = 60.0  # s of processor time for a scene at one tolerance
 MORE = 4  # of that for a long series
 LINE = 140  # characters of a reason
-PIECE = 100  # scenes between two lines in print, where the output is no terminal
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -147,34 +146,27 @@ def _alone(scene: Scene, series: FrictionTorque, point: int, torque: Callable[[S
 def main(
     scenes: Annotated[int, typer.Option(min=1, help="Scenes to draw.")] = 2000,
     seed: Annotated[int, typer.Option(help="Of the first scene.")] = 1,
-    jobs: Annotated[int, typer.Option(min=1, help="Processes.")] = 2,
+    jobs: Jobs = 2,
 ) -> None:
     """Count the scenes whose stated uncertainty does not hold."""
-    out, started = Console(width=110, soft_wrap=True), time.perf_counter()
+    started = time.perf_counter()
     friction_torque("6205-dry")  # compiles
     with ProcessPoolExecutor(jobs) as pool:
-        drawn = sorted(_followed(pool, range(seed, seed + scenes), out), key=lambda each: each.seed)
+        drawn = sorted(_followed(pool, range(seed, seed + scenes)), key=lambda each: each.seed)
     for line in summary(drawn):
-        out.print(line, highlight=False, markup=False)
+        out.print(line, soft_wrap=True)
     out.print(f"{time.perf_counter() - started:.0f} s, {jobs} processes, seeds {seed} to {seed + scenes - 1}.")
     sys.exit(int(is_broken(drawn)))
 
 
-def _followed(pool: ProcessPoolExecutor, seeds: range, out: Console) -> Iterator[Drawn]:
-    """Each scene as it ends; progress and time left on a terminal, else a line for each piece."""
-    outside = 0
-    columns = (*Progress.get_default_columns()[:-1], TimeElapsedColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=out, disable=not out.is_terminal) as bar:
-        task = bar.add_task("scenes", total=len(seeds))
-        for number, done in enumerate(as_completed([pool.submit(judged, each) for each in seeds]), 1):
-            each = done.result()
-            if each.ratio > 1:
-                outside += 1
-                out.print(_outside(each), highlight=False)
-            bar.update(task, advance=1, description=f"scenes, {outside} outside")
-            if not out.is_terminal and number % PIECE == 0:
-                out.print(f"{number} scenes, {outside} outside")
-            yield each
+def _followed(pool: ProcessPoolExecutor, seeds: range) -> Iterator[Drawn]:
+    """Each scene as it ends; one outside is printed at once."""
+    ended = as_completed([pool.submit(judged, each) for each in seeds])
+    for done in track(ended, "scenes", total=len(seeds), console=progress):
+        each = done.result()
+        if each.ratio > 1:
+            out.print(_outside(each))
+        yield each
 
 
 def _outside(each: Drawn) -> str:
@@ -227,4 +219,4 @@ def summary(drawn: list[Drawn]) -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    typer.run(main)
+    run(main)

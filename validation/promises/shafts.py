@@ -9,10 +9,9 @@ refused, and how many are.
 
 from collections.abc import Iterator
 
-import typer
-
 from analytic import friction_torque
 from analytic.errors import FembearingError
+from validation.study import out, run
 
 SERIES = ("60", "62", "63", "619", "618")
 BORES = ("00", "01", "02", "04", "05", "06", "10", "12", "16")  # 61808 has no dimensions that follow from its ratings
@@ -32,14 +31,12 @@ def refused(bearing: str) -> Iterator[str]:
 
 def main() -> None:
     """Count the refused torques."""
-    tried, found = 0, []
-    for bearing in (series + bore for series in SERIES for bore in BORES):
-        found += refused(bearing)
-        tried += len(DOWN) * len(RPM)
+    bearings = [series + bore for series in SERIES for bore in BORES]
+    found = [line for bearing in bearings for line in refused(bearing)]
     for line in found:
-        typer.echo(line)
-    typer.echo(f"{len(found)} of {tried} refused")
+        out.print(line, soft_wrap=True)
+    out.print(f"{len(found)} of {len(bearings) * len(DOWN) * len(RPM)} refused")
 
 
 if __name__ == "__main__":
-    typer.run(main)
+    run(main)

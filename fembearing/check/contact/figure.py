@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from analytic.figures.style import BLACK, BLUE, LETTERS, RED, SIDE_BY_SIDE, WIDTH, lettered
 from analytic.scene import Array
 from analytic.units import Units
-from fembearing.check.contact.pressure_profile import Profiles
+from fembearing.check.contact.hertz import Profiles
 from fembearing.fem.measure import Quantities
 from fembearing.quantities import CONTACT
 

@@ -1,11 +1,23 @@
-"""The production model of a contact: Hertz, and Hertz corrected for finite geometry."""
+"""The production model of a contact: Hertz, and Hertz corrected for finite geometry, with the curves that figures show.
 
-from dataclasses import dataclass
+Pressure profiles: where the contact is symmetric a quarter of it is meshed, and positions run from the centre outwards.
+Where one shoulder cuts it off a half is meshed, and transverse positions run from one side to the other.
+"""
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import numpy as np
+from annotated_types import MinLen
 
 from analytic.contact.finite_geometry import contact_shape, finite_geometry_factors
 from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
-from analytic.scene import Contact
+from analytic.rows import NotNegative, Positive
+from analytic.scene import Array, Contact
 from fembearing.fem.measure import Quantities
+
+if TYPE_CHECKING:  # the solver takes a second to import, and nothing else here needs it
+    from fembearing.fem.solution import MeshSolution
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,3 +61,114 @@ def corrected_hertz(contact: Contact, *, hertz: Quantities) -> tuple[CorrectedHe
         quantities=Quantities(**values, stiffness=hertz.stiffness * factors["approach"] ** -1.5),
         uncertainty=uncertainty | {"stiffness": 1.5 * uncertainty["approach"]},  # K = Q/delta^1.5
     ), ()
+
+
+POINTS = 25
+LEAST, MOST = 0.05, 1.5  # of the curve, shares of the load that was solved
+
+
+@dataclass(frozen=True, kw_only=True)
+class ApproachCurve:
+    """Approach over load; None outside the range of the correction's fit."""
+
+    load: Annotated[tuple[Positive, ...], MinLen(1)]  # of the ball, N, ascending
+    hertz: tuple[Positive, ...]  # m
+    corrected: tuple[Positive | None, ...]  # m
+    uncertainty: tuple[NotNegative | None, ...]  # of the corrected approach, relative half-width, 95 %
+
+
+def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool) -> ApproachCurve:
+    """The curve from 0.05 to 1.5 times the contact's load.
+
+    hertz : the contact under its own load; semi-axes, peak pressure and approach are powers of the load
+    correctable : whether the correction for finite geometry applies to this contact
+    """
+    factor = np.linspace(LEAST, MOST, POINTS)
+    corrected: list[float | None] = [None] * POINTS
+    uncertainty: list[float | None] = [None] * POINTS
+    for point, times in enumerate(factor if correctable else ()):
+        scaled = Quantities(
+            semi_axis_rolling=hertz.semi_axis_rolling * times ** (1 / 3),
+            semi_axis_transverse=hertz.semi_axis_transverse * times ** (1 / 3),
+            peak_pressure=hertz.peak_pressure * times ** (1 / 3),
+            approach=hertz.approach * times ** (2 / 3),
+            stiffness=hertz.stiffness,
+        )
+        fitted, _ = corrected_hertz(replace(contact, load=contact.load * float(times)), hertz=scaled)
+        if fitted is not None:
+            corrected[point], uncertainty[point] = fitted.quantities.approach, fitted.uncertainty["approach"]
+    return ApproachCurve(
+        load=tuple((contact.load * factor).tolist()),
+        hertz=tuple((hertz.approach * factor ** (2 / 3)).tolist()),
+        corrected=tuple(corrected),
+        uncertainty=tuple(uncertainty),
+    )
+
+
+Axis = Literal["rolling", "transverse"]
+AXES: tuple[Axis, ...] = ("rolling", "transverse")
+POSITIONS = 60  # on an axis at most
+BEYOND = 1.2  # semi-axes: farther out there is no contact
+ON_AXIS = 1e-9  # share of the mesh's extent: round-off
+
+
+@dataclass(frozen=True, kw_only=True)
+class PressureProfile:
+    """Pressure along one axis."""
+
+    position: Annotated[tuple[float, ...], MinLen(1)]  # m from the contact's centre, ascending
+    pressure: tuple[float, ...]  # Pa
+
+
+@dataclass(frozen=True, kw_only=True)
+class BothProfiles:
+    """The pressure along one axis at the nodes of the finest mesh, and by Hertz."""
+
+    fe: PressureProfile
+    hertz: PressureProfile
+
+
+@dataclass(frozen=True, kw_only=True)
+class Profiles:
+    """The pressure along both axes through the centre."""
+
+    rolling: BothProfiles
+    transverse: BothProfiles
+
+
+def nodal_profile(mesh: "MeshSolution", axis: Axis) -> PressureProfile:
+    """Nodal values on an axis as solved. They scatter by some tenths of a per cent; peak pressure is a fit to many.
+
+    More than `POSITIONS` nodes are thinned evenly, with both ends and the centre. A node without force has pressure 0.
+    """
+    along, across = (mesh.x, mesh.y) if axis == "rolling" else (mesh.y, mesh.x)
+    semi_axis = mesh.semi_axes[AXES.index(axis)]
+    on_axis = np.abs(across) <= ON_AXIS * np.abs(across).max()
+    nodes = np.flatnonzero(on_axis & (np.abs(along) <= BEYOND * semi_axis))
+    nodes = nodes[np.argsort(along[nodes])]
+    centre = int(np.argmin(np.abs(along[nodes])))
+    step = -(-nodes.size // (POSITIONS - 2))  # both ends are added
+    chosen = np.unique([0, *range(centre % step, nodes.size, step), nodes.size - 1])
+    nodes = nodes[chosen]
+    return _profile(along[nodes], np.where(mesh.force[nodes] > 0, mesh.pressure[nodes], 0.0))
+
+
+def hertz_profile(hertz: Quantities, axis: Axis) -> PressureProfile:
+    """p0 sqrt(1 - (s/a)^2) from the centre to the edge, with denser positions near the edge."""
+    angle = np.linspace(0, np.pi / 2, POSITIONS)
+    semi_axis = hertz.semi_axis_rolling if axis == "rolling" else hertz.semi_axis_transverse
+    pressure = hertz.peak_pressure * np.cos(angle)
+    pressure[-1] = 0.0  # without round-off
+    return _profile(semi_axis * np.sin(angle), pressure)
+
+
+def profiles_of(mesh: "MeshSolution", hertz: Quantities) -> Profiles:
+    """Both axes, by finite elements and by Hertz."""
+    rolling, transverse = (
+        BothProfiles(fe=nodal_profile(mesh, axis), hertz=hertz_profile(hertz, axis)) for axis in AXES
+    )
+    return Profiles(rolling=rolling, transverse=transverse)
+
+
+def _profile(position: Array, pressure: Array) -> PressureProfile:
+    return PressureProfile(position=tuple(position.tolist()), pressure=tuple(pressure.tolist()))

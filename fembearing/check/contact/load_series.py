@@ -1,7 +1,7 @@
 """A contact under many loads: its stiffness law F = K delta^n by finite elements, and Hertz's F = K delta^1.5.
 
 F: load, N; delta: approach, m. Loads of a true shape that end before the shoulder are solved by the compliance of the
-pair, see `fembearing.check.contact.compliance_series`. Each other approach comes from the second and third level of a
+pair, see `fembearing.check.contact.compliance`. Each other approach comes from the second and third level of a
 recipe, with value and uncertainty as for a single contact. These loads share meshes, and a load whose ellipse differs
 from that of its mesh is more uncertain: see `OFF_MESH`. A load whose approach is then too uncertain for the required
 accuracy is solved again on its own meshes.
@@ -22,24 +22,29 @@ from analytic.errors import InputError, require_non_negative
 from analytic.given import SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.progress import Progress, part_of, silent
+from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.parts import Given, with_tolerance
+from fembearing.check.comparison import Comparison, ShownVerdict, compared_with, could_be_decided, verdict_on, worst
 from fembearing.check.contact.columns import COLUMNS, VERDICT, require_finite_results
-from fembearing.check.contact.compliance_series import ends_before_shoulder, pair_series
+from fembearing.check.contact.compliance import ends_before_shoulder, pair_series
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.mesh_refinement import Estimates, estimates_of
 from fembearing.check.contact.meshed_region import Boundary, boundary_effect, has_boundary, has_sides, with_sides
-from fembearing.check.contact.pocket_law import PocketLaw, fit_pocket_law
-from fembearing.check.contact.power_law import LawData, StiffnessLaw, fit_law, fit_tangents
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import Estimates, estimates_of, solve_reference
 from fembearing.check.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
+from fembearing.check.contact.stiffness_law import (
+    LawData,
+    PocketLaw,
+    StiffnessLaw,
+    fit_law,
+    fit_pocket_law,
+    fit_tangents,
+)
 from fembearing.check.contact.uncertainty import OFF_FROM, OFF_MESH
-from fembearing.check.contact.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.check.contact.warnings import (
-    annular_warning,
     near_shoulder,
     series_shoulder_warning,
-    sheet_warning,
+    sheet_warnings,
     solve_warnings,
     two_loads_warning,
 )
@@ -59,76 +64,55 @@ class SolvedLoad(NamedTuple):
     off_mesh: float  # relative, the part of the approach's uncertainty by `OFF_MESH`
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True)
 class LoadPoint:
     """One load of a series, compared with Hertz. Tangents are dF/d(delta), N/m; uncertainties relative half-widths."""
 
-    load: float  # N
-    approach: Estimate  # m
-    others: Estimates  # semi-axes, peak pressure and stiffness, where the compliance of the pair gives them; else empty
-    hertz_approach: float  # m
-    tangent: float | None  # by finite elements; None for a single load
-    tangent_uncertainty: float | None  # None without a third load, which shows the deviation from a power law
-    verdict: Verdict  # on Hertz's approach
+    load: Positive  # N
+    quantities: dict[str, Comparison]  # the approach, and all others where the compliance of the pair gives them
+    tangent: Positive | None  # by finite elements; None for a single load
+    tangent_uncertainty: NotNegative | None  # None without a third load, which shows the deviation from a power law
+    hertz_tangent: Positive  # 1.5 times load over approach
 
     def __post_init__(self) -> None:
         """Raises InputError for a number that is not finite."""
+        approach = self.approach
         found = {
-            "approach": self.approach.value,
-            "uncertainty of the approach": self.approach.total,
-            "approach by Hertz": self.hertz_approach,
-            **{name: part.value for name, part in self.others.items()},
+            "uncertainty of the approach": approach.uncertainty,
+            "approach by Hertz": approach.production,
+            **{name: each.reference for name, each in self.quantities.items()},
             "tangent": self.tangent,
             "uncertainty of the tangent": self.tangent_uncertainty,
         }
         require_finite_results(found, of=f"under {self.load:g} N")
 
     @property
-    def discrepancy(self) -> float:
-        """Hertz's approach over that of finite elements, less one."""
-        return self.hertz_approach / self.approach.value - 1
-
-    @property
-    def hertz_tangent(self) -> float:
-        """dF/d(delta) by Hertz, N/m: 1.5 times load over approach."""
-        return 1.5 * self.load / self.hertz_approach
+    def approach(self) -> Comparison:
+        """The approach, on which the verdict is."""
+        return self.quantities["approach"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LoadSeries(Brief):
-    """A contact under a series of loads, in the order given."""
+    """A contact under a series of loads by Hertz and by finite elements, SI, in the order given."""
 
-    contact: Contact  # under the first load
+    pair: Pair
     geometry: Geometry  # which shapes were meshed
-    tolerance: float  # of the verdicts, relative
+    contact_angle: float  # rad
+    tolerance: NotNegative  # of the verdicts, relative
     points: tuple[LoadPoint, ...]
     law: StiffnessLaw | None  # None for a single load
     pocket_law: PocketLaw | None  # of the sheet of a pocket under two loads or more; else None
-    hertz_stiffness: float  # K of Hertz, N/m^1.5
-    solutions: tuple[MeshSolution | PixelSolution, ...]  # on the finest level, in the order of the points
-    meshes: int  # number of meshes of one level that the loads share
-    seconds: float
-    peak_memory: int | None  # of the process when the series was solved, bytes
+    hertz_stiffness: Positive  # K of Hertz's F = K delta^1.5, N/m^1.5
+    verdict: ShownVerdict  # the worst of all loads; shown: a sheet, which Hertz's half space does not describe
+    meshes: Count  # number of meshes of one level that the loads share
+    seconds: NotNegative
+    peak_memory: Count | None  # of the process when the series was solved, bytes
     warnings: tuple[str, ...]  # one line each
 
     def _facts(self) -> Iterator[str]:
-        yield from (self.contact.pair, self.geometry, f"{span([point.load for point in self.points])} N")
-        yield from (f"{len(self.points)} loads", self.shown_verdict)
-
-    @property
-    def judged(self) -> bool:
-        """False for a sheet: Hertz's half space does not describe it."""
-        return self.geometry != "wall"
-
-    @property
-    def verdict(self) -> Verdict:
-        """The worst verdict of all loads."""
-        return worst(point.verdict for point in self.points)
-
-    @property
-    def shown_verdict(self) -> str:
-        """The verdict; "shown" for a contact that is not judged."""
-        return self.verdict if self.judged else "shown"
+        yield from (self.pair, self.geometry, f"{span([point.load for point in self.points])} N")
+        yield from (f"{len(self.points)} loads", self.verdict)
 
     @property
     def _loads(self) -> Labelled:
@@ -144,14 +128,14 @@ class LoadSeries(Brief):
         }
         rows = [
             {
-                "approach": point.approach.value,
-                "uncertainty_approach": point.approach.total,
-                "hertz_approach": point.hertz_approach,
-                "discrepancy_approach": point.discrepancy,
+                "approach": point.approach.reference,
+                "uncertainty_approach": point.approach.uncertainty / point.approach.reference,
+                "hertz_approach": point.approach.production,
+                "discrepancy_approach": point.approach.difference,
                 "tangent": np.nan if point.tangent is None else point.tangent,
                 "uncertainty_tangent": np.nan if point.tangent_uncertainty is None else point.tangent_uncertainty,
                 "hertz_tangent": point.hertz_tangent,
-                VERDICT: point.verdict,
+                VERDICT: point.approach.verdict,
             }
             for point in self.points
         ]
@@ -162,7 +146,7 @@ class LoadSeries(Brief):
         return dataset_of(
             self._columns(),
             coordinates={"load": self._loads},
-            attributes={"pair": self.contact.pair, "geometry": self.geometry, "tolerance": self.tolerance},
+            attributes={"pair": self.pair, "geometry": self.geometry, "tolerance": self.tolerance},
         )
 
     def to_dataframe(self) -> Any:
@@ -216,7 +200,7 @@ def solve_load_series(
 
     Notes
     -----
-    Sources: those of `solve_contact`; the fit of the law is derived here (`fembearing.check.contact.power_law`).
+    Sources: those of `solve_contact`; the fit of the law is derived here (`fembearing.check.contact.stiffness_law`).
     """
     scene = scene_by(scene, options)
     given = checked_loads(loads)
@@ -264,28 +248,29 @@ def compare_series(
     thin = recipe.geometry == "wall"
     over = [part.contact.load for part in finest if near_shoulder(part, contact)]
     heaviest = finest[int(given.argmax())]
-    annular = ""
+    bending = ()
     if thin and isinstance(heaviest, MeshSolution):  # a sheet is solved on meshes
-        annular = annular_warning(heaviest, hertz=hertz_quantities(heaviest.contact).peak_pressure)
+        bending = sheet_warnings(heaviest, hertz=hertz_quantities(heaviest.contact).peak_pressure)
     every = [(part, {"approach": approach}) for part, approach in zip(finest, approaches, strict=True)]
+    points = tuple(
+        _point_of(*each, tolerance=tolerance, judged=not thin, valid=each[0].contact.load not in over)
+        for each in zip(finest, estimates, tangents, strict=True)
+    )
     return LoadSeries(
-        contact=finest[0].contact,
+        pair=contact.pair,
         geometry=recipe.geometry,
+        contact_angle=contact.contact_angle,
         tolerance=tolerance,
-        points=tuple(
-            _point_of(*each, tolerance=tolerance, valid=not thin and each[0].contact.load not in over)
-            for each in zip(finest, estimates, tangents, strict=True)
-        ),
+        points=points,
         law=law,
         pocket_law=fit_pocket_law(data) if thin else None,
         hertz_stiffness=hertz_quantities(finest[0].contact).stiffness,
-        solutions=finest,
+        verdict=worst(point.approach.verdict for point in points),
         meshes=meshes,
         seconds=time.perf_counter() - start,
         peak_memory=peak_memory(),
         warnings=(
-            *((sheet_warning(contact),) if thin else ()),
-            *((annular,) if annular else ()),
+            *bending,
             *((series_shoulder_warning(contact, load=min(over)),) if over else ()),
             *solve_warnings(every, accuracy=accuracy, quantities=("approach",), thin=thin),
             *((two_loads_warning(contact),) if law is not None and not data.redundant else ()),
@@ -347,21 +332,25 @@ def _point_of(
     tangent: tuple[float | None, float | None],
     *,
     tolerance: float,
+    judged: bool,
     valid: bool,
 ) -> LoadPoint:
     """One load of the series.
 
-    part : on the finest level;  tangent : stiffness and its uncertainty;  valid : whether Hertz can be judged there
+    part : on the finest level;  tangent : stiffness and its uncertainty
+    judged : whether Hertz describes the bodies;  valid : whether the contact ends before its shoulder
     """
-    formula, approach = hertz_quantities(part.contact).approach, estimates["approach"]
+    hertz, load = vars(hertz_quantities(part.contact)), part.contact.load
+    found = {name: compared_with(each, hertz[name]) for name, each in estimates.items()}
+    if judged:
+        verdict = verdict_on(hertz["approach"], estimates["approach"], tolerance=tolerance, valid=valid)
+        found["approach"] = replace(found["approach"], verdict=verdict)
     return LoadPoint(
-        load=part.contact.load,
-        approach=approach,
-        others={name: each for name, each in estimates.items() if name != "approach"},
-        hertz_approach=formula,
+        load=load,
+        quantities=found,
         tangent=tangent[0],
         tangent_uncertainty=tangent[1],
-        verdict=verdict_on(formula, approach, tolerance=tolerance, valid=valid),
+        hertz_tangent=1.5 * load / hertz["approach"],
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from analytic.contact.geometry import RACES, Race, pocket_contact, race_contact
 from analytic.errors import InputError, require_non_negative
-from analytic.loads.balls import LoadedBalls
+from analytic.numerics.records import Records
 from analytic.scene import Contact, Pair, Scene
 from analytic.torque import loaded_balls_of
 from analytic.words import NEWTON, NEWTON_MILLIMETRE, shown
@@ -48,23 +48,25 @@ def heaviest_contact(scene: Scene, race: Race) -> Contact:
     return contact_at(scene, balls, race, heaviest_place(balls))
 
 
-def heaviest_place(balls: LoadedBalls) -> tuple[int, int]:
+def heaviest_place(balls: Records) -> tuple[int, int]:
     """Operating point and column of the most heavily loaded ball, from 0: the same one on both races."""
-    largest = balls.load.max(axis=0)
+    largest = balls["load"].max(axis=2)
     point, ball = np.unravel_index(np.argmax(largest), largest.shape)
     return int(point), int(ball)
 
 
-def contact_at(scene: Scene, balls: LoadedBalls, race: Race, place: tuple[int, int]) -> Contact:
+def contact_at(scene: Scene, balls: Records, race: Race, place: tuple[int, int]) -> Contact:
     """The contact of one ball on one race, as `heaviest_contact`; place : as `heaviest_place`"""
-    at = (RACES.index(race), *place)
-    return race_contact(
-        scene.bearing, race, contact_angle=float(balls.contact_angle[at]), ball_load=float(balls.load[at])
-    )
+    side, ball = RACES.index(race), balls[place]
+    angle, load = float(ball["angle"][side]), float(ball["load"][side])
+    return race_contact(scene.bearing, race, contact_angle=abs(angle), ball_load=load)
 
 
-def balls_of(scene: Scene) -> LoadedBalls:
-    """The loaded balls at every operating point, with Hertz's contacts. Raises InputError as friction_torque does."""
+def balls_of(scene: Scene) -> Records:
+    """(n, m) `analytic.solve.records.BALL` at every operating point, with Hertz's contacts.
+
+    Raises InputError as friction_torque does.
+    """
     if scene.arrangement is not None:
         raise InputError(
             "[arrangement] has two bearings, and contacts are those of one: leave it out and give the loads of one "

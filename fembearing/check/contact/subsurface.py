@@ -1,12 +1,13 @@
 """The greatest stresses under a contact, where fatigue begins: by Hertz's closed forms and by finite elements."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from analytic.contact.subsurface import subsurface_maximum
+from fembearing.check.comparison import Comparison, compared
 from fembearing.check.contact.columns import require_finite_results
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.fem.subsurface import Array, Side, SubsurfaceStress, subsurface_stress
 from fembearing.grid_convergence import FINEST, LEAST, UNSTEADY
 
@@ -20,36 +21,20 @@ COUNTED_RATIO = 1.5  # of cell sizes, from the second level to the third: over a
 
 @dataclass(frozen=True, kw_only=True)
 class SubsurfaceComparison:
-    """Maxima on the contact's axis in one body, keyed by `NAMES`: Pa, and their depths, m."""
+    """Maxima on the contact's axis in one body by Hertz and on the finest mesh, keyed by `NAMES`: Pa, and depths, m."""
 
     side: Side  # "upper": the ball; "lower": the race or seat
-    hertz: dict[str, float]
-    fe: dict[str, float]  # on the finest mesh
-    uncertainty: dict[str, float]  # half-widths, Pa and m; not relative, as a depth may be 0
-    # Hertz's over the reference less one; None for the depth of a maximum on the surface, of either.
-    discrepancy: dict[str, float | None]
-    exceeds_uncertainty: dict[str, bool]  # whether Hertz's is outside the interval of the reference
+    quantities: dict[str, Comparison]
 
     def __post_init__(self) -> None:
         """Raises InputError for a number that is not finite."""
-        for by, numbers in (("Hertz", self.hertz), ("finite elements", self.fe), ("its uncertainty", self.uncertainty)):
-            found = {name.replace("_", " "): value for name, value in numbers.items()}
-            require_finite_results(found, of=f"{by}, below the {self.side} surface")
-
-
-def comparison_below(
-    side: Side, *, hertz: dict[str, float], fe: dict[str, float], uncertainty: dict[str, float]
-) -> SubsurfaceComparison:
-    """Hertz's maxima against those of finite elements, by `NAMES`: Pa, and m for depths."""
-    on_surface = [name for name in NAMES if 0.0 in (hertz[name], fe[name])]
-    return SubsurfaceComparison(
-        side=side,
-        hertz=hertz,
-        fe=fe,
-        uncertainty=uncertainty,
-        discrepancy={name: None if name in on_surface else hertz[name] / fe[name] - 1 for name in NAMES},
-        exceeds_uncertainty={name: abs(hertz[name] - fe[name]) > uncertainty[name] for name in NAMES},
-    )
+        for name, each in self.quantities.items():
+            for by, value in (
+                ("by Hertz", each.production),
+                ("by finite elements", each.reference),
+                ("in uncertainty", each.uncertainty),
+            ):
+                require_finite_results({name.replace("_", " "): value}, of=f"{by}, below the {self.side} surface")
 
 
 def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> SubsurfaceComparison:
@@ -62,7 +47,7 @@ def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> Su
     peak pressure is added to stresses, that on the minor semi-axis to depths. Raises InputError for half a contact, see
     `subsurface_stress`.
     """
-    contact, hertz = solution.contact, solution.hertz
+    contact, hertz, reference = solution.contact, solution.numbers.hertz, solution.numbers.reference
     material = contact.race_material if side == "lower" else contact.ball_material
     closed = subsurface_maximum(
         peak_pressure=hertz.peak_pressure,
@@ -74,8 +59,8 @@ def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> Su
     before, maxima = _maxima(coarse), _maxima(fine)
     ratio = solution.meshes[-1].level / solution.meshes[-2].level
     step = min(1.0, (COUNTED_RATIO**UNSTEADY - 1) / (ratio**UNSTEADY - 1))
-    minor = min(("semi_axis_rolling", "semi_axis_transverse"), key=lambda name: getattr(solution.reference, name))
-    boundary = {name: solution.estimates[name].domain for name in (minor, "peak_pressure")}
+    minor = min(("semi_axis_rolling", "semi_axis_transverse"), key=lambda name: getattr(reference, name))
+    boundary = {name: solution.numbers.estimates[name].domain for name in (minor, "peak_pressure")}
     uncertainty = {}
     for name, curve in zip(STRESSES, (fine.max_shear, fine.von_mises), strict=True):
         depth = f"{name}_depth"
@@ -83,14 +68,11 @@ def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> Su
         off = max(change[name], LEAST * maxima[name]) + (FINEST + boundary["peak_pressure"]) * maxima[name]
         tops = _tops(fine.depth, curve, least=maxima[name] - 2 * off)  # each of the two may be off
         away = float(np.abs(tops - maxima[depth]).max(initial=0.0))
-        least = LEAST_DEPTH * getattr(solution.reference, minor)
+        least = LEAST_DEPTH * getattr(reference, minor)
         uncertainty |= {name: off, depth: max(change[depth], away, least) + boundary[minor] * maxima[depth]}
-    return comparison_below(
-        side,
-        hertz={name: float(getattr(closed, name)) for name in NAMES},
-        fe=maxima,
-        uncertainty=uncertainty,
-    )
+    found = {name: compared(float(getattr(closed, name)), maxima[name], uncertainty[name]) for name in NAMES}
+    on_surface = {name: replace(each, discrepancy=None) for name, each in found.items() if each.production == 0}
+    return SubsurfaceComparison(side=side, quantities=found | on_surface)
 
 
 def _maxima(stress: SubsurfaceStress) -> dict[str, float]:

@@ -1,14 +1,14 @@
 """Warnings about a solved contact, one line each, the same under one load and in a series."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from analytic.limits import STATIC_LIMIT
 from analytic.scene import Contact
 from analytic.words import MILLIMETRE, percent_of, pressure_of
-from fembearing.check.contact.mesh_refinement import Estimates, Reference
+from fembearing.check.contact.refinement import Estimates, Reference
 from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.solution import MeshSolution
 
@@ -36,31 +36,26 @@ def solve_warnings(
     return tuple(warning for warning in warnings if warning)
 
 
-def sheet_warning(contact: Contact) -> str:
-    """Why a sheet is shown and not judged."""
+def sheet_warnings(mesh: MeshSolution, *, hertz: float) -> Iterator[str]:
+    """Why a sheet is shown and not judged, and whether it yields under the centre, where the pressure moves to a ring.
+
+    hertz : peak pressure by Hertz, Pa; the centre may bear half of it before a ring is near
+    """
+    contact, peak = mesh.contact, mesh.quantities.peak_pressure
     assert contact.wall is not None  # otherwise it would not have been meshed
-    return (
+    yield (
         f"{contact.pair}: the sheet of {MILLIMETRE.written(contact.wall.thickness, '.3g')} bends on its rim; Hertz "
         "ignores this, so there is no verdict"
     )
-
-
-def annular_warning(mesh: MeshSolution, *, hertz: float) -> str:
-    """The warning for a sheet that yields under the centre of the contact, where the pressure moves to a ring.
-
-    hertz : peak pressure by Hertz, Pa
-    It is empty where the centre bears half of Hertz's pressure or more.
-    """
-    peak = mesh.quantities.peak_pressure
     if peak >= ANNULAR * hertz:
-        return ""
+        return
     pressure = np.where(mesh.force > 0, mesh.pressure, 0.0)
     most = int(np.argmax(pressure))
     radius = MILLIMETRE.written(float(np.hypot(mesh.x[most], mesh.y[most])), ".3g")
-    return (
-        f"{mesh.contact.pair}: under {mesh.contact.load:g} N the sheet yields at the centre, where "
-        f"{pressure_of(peak)} are {percent_of(peak / hertz, 2)} of Hertz's; the largest pressure, "
-        f"{pressure_of(float(pressure[most]))}, is {radius} from there: a ring, outside these quantities"
+    yield (
+        f"{contact.pair}: under {contact.load:g} N the sheet yields at the centre, where {pressure_of(peak)} are "
+        f"{percent_of(peak / hertz, 2)} of Hertz's; the largest pressure, {pressure_of(float(pressure[most]))}, is "
+        f"{radius} from there: a ring, outside these quantities"
     )
 
 

@@ -7,23 +7,23 @@ the reference, so a method is chosen by it. Seconds are wall time on this machin
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
-from typing import Annotated
+from functools import partial
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 from annotated_types import Gt, Lt
+from numpy.typing import ArrayLike
 
 from analytic.errors import FembearingError
+from analytic.progress import Progress, silent
 from analytic.rows import Count, NotNegative
 from analytic.scene import Array
 from fembearing.check.memory import peak_while
 
-FORMULA_REPEATS = 15  # their median leaves out the effect of other programs on a short timing
-FEWEST_REPEATS, LONGEST = 3, 1.0  # of a slow formula; s, limit for all repeats together
-SAMPLE = 5e-3  # s, least duration of one timing of a formula: 1000 times the cost of clock and loop
-MOST_CALLS = 1000  # in one timing
+REPEATS, FEWEST = 15, 3  # timings: their median leaves out the effect of other programs on a short one
+LONGEST, DEAR = 1.0, 10.0  # s: limit for more than the fewest together; what takes longer is timed once
+SAMPLE, MOST_CALLS = 5e-3, 1000  # least s of one timing: 1000 times the cost of clock and loop; calls in it
 ROUND_OFF = 1e-12  # bound of an exact method: the hard cases hold the closed forms to less, against 40-digit arithmetic
-DIGITS = (0.1, 0.01, 0.001, 0.0001)  # tolerances whose choices are shown, whatever the tolerance
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,33 +31,17 @@ class Method:
     """A method to compute a quantity, compared with the others of its ladder."""
 
     name: str  # as readers see it
-    error: float | None  # worst relative deviation from the reference; None for the reference and without one
+    error: float | None = None  # worst relative deviation from the reference; None for the reference and without one
     bound: float | None = None  # on the true error, relative, known without the reference; None: unknown
-    seconds: Annotated[float, Gt(0), Lt(1e12)] | None  # median of the repeats; None if it failed
-    spread: NotNegative | None  # longest less shortest repeat, s
-    repeats: int  # number of timed runs
+    seconds: Annotated[float, Gt(0), Lt(1e12)] | None = None  # median of the repeats; None if it failed
+    spread: NotNegative | None = None  # longest less shortest repeat, s
+    repeats: int = 0  # number of timed runs
     warm_up: NotNegative | None = None  # s, of the first call, which is in no repeat
-    predicted: NotNegative | None = None  # s, of a mesh, predicted before it was solved
-    memory: Count | None  # largest resident memory of the process while it ran, bytes; see `memory.peak_while`
+    memory: Count | None = None  # largest resident memory of the process while it ran, bytes; see `memory.peak_while`
     unknowns: Count | None = None  # number, of a mesh
-    known_error: float | None = None  # relative, compared with a tolerance, see `known_error`; None: unknown
+    known_error: float | None = None  # relative, compared with a tolerance, see `measured`; None: unknown
     chosen: bool = False  # the cheapest within the tolerance
     failed: str | None = None  # why it gave no answer, in one line
-
-
-@dataclass(frozen=True, kw_only=True)
-class Choice:
-    """The method that a tolerance needs."""
-
-    tolerance: float  # relative
-    method: str | None  # its name; None where no method is within the tolerance
-    seconds: NotNegative | None  # of the method
-    price: NotNegative | None  # seconds over those of the next looser choice; None for the first and without a method
-
-    def __post_init__(self) -> None:
-        """Raises ValueError for a method without its time, and for a time without a method."""
-        if (self.method is None) != (self.seconds is None):
-            raise ValueError("has a method without seconds, or the other way round")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,17 +49,11 @@ class Ladder:
     """The methods for one quantity, from cheap to exact."""
 
     quantity: str  # what the methods compute
-    reference: str  # what the errors are relative to
-    methods: tuple[Method, ...]
+    reference: str = "none"  # what the errors are relative to
+    methods: tuple[Method, ...] = ()
     absent: str | None = None  # why the scene has no such ladder; then there are no methods
-    choices: tuple[Choice, ...] = ()  # the method for each of DIGITS, and the price of the next digit
 
-    @property
-    def chosen(self) -> Method | None:
-        """The cheapest within the tolerance; None where no method is."""
-        return next((method for method in self.methods if method.chosen), None)
-
-    def choose(self, tolerance: float) -> Method | None:
+    def cheapest(self, tolerance: float) -> Method | None:
         """The cheapest method whose error is known to be within a tolerance.
 
         Parameters
@@ -88,129 +66,63 @@ class Ladder:
         Method or None
             None where there is none.
         """
-        within = [
-            (method.seconds, number)
-            for number, method in enumerate(self.methods)
-            if method.seconds is not None and method.known_error is not None and method.known_error <= tolerance
-        ]
-        return self.methods[min(within)[1]] if within else None
+        known = (each for each in self.methods if each.seconds and each.known_error is not None)
+        within = (each for each in known if (each.known_error or 0.0) <= tolerance)
+        return min(within, key=lambda each: each.seconds or 0.0, default=None)
 
 
-def with_choices(ladder: Ladder) -> Ladder:
-    """The ladder with the method for each of DIGITS."""
-    methods = [ladder.choose(digit) for digit in DIGITS]
-    seconds = [None if method is None else method.seconds for method in methods]
-    prices = [None, *(tight / loose if loose and tight else None for loose, tight in pairwise(seconds))]
-    choices = (
-        Choice(tolerance=digit, method=None if method is None else method.name, seconds=taken, price=price)
-        for digit, method, taken, price in zip(DIGITS, methods, seconds, prices, strict=True)
-    )
-    return replace(ladder, choices=tuple(choices))
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class UntimedMethod:
-    """A method that has not run yet: a function, and the bound on its error."""
+class Candidate(NamedTuple):
+    """A method that has not run yet."""
 
     name: str
-    run: Callable[[], Array]  # the compared numbers, of one shape along a ladder
-    bound: Callable[[], float]  # on the relative error of the result of `run`; its time does not count
+    run: Callable[[], Any]
+    answer: Callable[[Any], ArrayLike] = np.asarray  # the compared numbers of a result, of one shape along a ladder
+    bound: float | Callable[[Any], float | None] | None = None  # on the relative error of the answer, or of a result
     may_refer: bool = False  # the last of these that gave an answer is the reference
+    once: bool = False  # without warm-up and repeats: too slow, or not to be repeated
+    spent: float = 0.0  # s, on its result before it runs
+    after: tuple[str, ...] = ()  # methods whose results it takes: their seconds are part of its own
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class UntimedLadder:
-    """A quantity and its methods from cheap to exact, before they have run."""
+def measured(
+    quantity: str,
+    reference: str,
+    candidates: Sequence[Candidate],
+    *,
+    tolerance: float,
+    repeats: int = REPEATS,
+    progress: Progress = silent,
+) -> Ladder:
+    """Run every method of a ladder, compare it with the reference, and choose the cheapest within a tolerance.
 
-    quantity: str
-    reference: str
-    methods: tuple[UntimedMethod, ...]
+    What is known of a method's error is its bound, or the measured error if that is larger. Without a bound it is the
+    measured error and the bound of the reference together.
 
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class TimedMethod:
-    """A method that has run, before it is compared with the others."""
-
-    name: str
-    answer: Array | None  # the compared numbers, of one shape along a ladder; None if it failed
-    bound: float | None = None
-    seconds: tuple[float, ...] = ()  # of each repeat
-    warm_up: float | None = None
-    predicted: float | None = None
-    memory: int | None = None
-    unknowns: int | None = None
-    may_refer: bool = False
-    failed: str | None = None
-
-
-def measured(ladder: UntimedLadder, *, tolerance: float) -> Ladder:
-    """Run every method of a ladder: its error and its price."""
-    methods = [timed(method) for method in ladder.methods]
-    return ladder_of(ladder.quantity, ladder.reference, methods, tolerance=tolerance)
-
-
-def timed(method: UntimedMethod) -> TimedMethod:
-    """One call to warm up, then samples long enough for the clock; an error of the library is kept as its message."""
-    try:
-        start = time.perf_counter()
-        method.run()
-        warm_up = time.perf_counter() - start
-        answer, memory = peak_while(method.run)
-        once = _seconds(method.run, calls=1)
-        calls = int(np.clip(np.ceil(SAMPLE / once), 1, MOST_CALLS))
-        repeats = int(np.clip(LONGEST / once, min(FEWEST_REPEATS, FORMULA_REPEATS), FORMULA_REPEATS))
-        seconds = tuple(_seconds(method.run, calls=calls) for _ in range(repeats))
-        bound = method.bound()
-    except FembearingError as problem:
-        return TimedMethod(name=method.name, answer=None, failed=str(problem))
-    return TimedMethod(
-        name=method.name,
-        answer=answer,
-        bound=bound if np.isfinite(bound) else None,
-        seconds=seconds,
-        warm_up=warm_up,
-        memory=memory,
-        may_refer=method.may_refer,
-    )
-
-
-def ladder_of(quantity: str, reference: str, runs: Sequence[TimedMethod], *, tolerance: float) -> Ladder:
-    """Compare each method with the reference and choose the cheapest within `tolerance` (relative)."""
-    exact = next((each for each in reversed(runs) if each.may_refer and each.answer is not None), None)
-    methods = []
-    for each in runs:
-        error = None
-        if exact is not None and each is not exact and each.answer is not None and exact.answer is not None:
-            error = deviation(each.answer, exact.answer)
-        methods.append(
-            Method(
-                name=each.name,
-                error=error,
-                bound=each.bound,
-                known_error=known_error(each.bound, error, None if exact is None else exact.bound),
-                seconds=float(np.median(each.seconds)) if each.seconds else None,
-                spread=max(each.seconds) - min(each.seconds) if each.seconds else None,
-                repeats=len(each.seconds),
-                warm_up=each.warm_up,
-                predicted=each.predicted,
-                memory=each.memory,
-                unknowns=each.unknowns,
-                failed=each.failed,
-            )
-        )
-    ladder = Ladder(quantity=quantity, reference=reference, methods=tuple(methods))
-    chosen = ladder.choose(tolerance)
-    return with_choices(replace(ladder, methods=tuple(replace(method, chosen=method is chosen) for method in methods)))
-
-
-def known_error(bound: float | None, error: float | None, reference: float | None) -> float | None:
-    """What is known of a method's error: its bound, or the measured error if that is larger.
-
-    reference : bound on the reference's own error, which is added to `error` where the method has no bound
+    reference : what the last that may refer is, in words;  tolerance : relative
+    repeats : of a fast method at most; 1: errors matter, seconds do not
     """
-    if bound is not None:
-        return bound if error is None else max(bound, error)
-    return None if error is None or reference is None else error + reference
+    methods: dict[str, Method] = {}
+    answers: dict[str, Array] = {}
+    for number, each in enumerate(candidates):
+        progress(number / len(candidates), f"{quantity}: {each.name}")
+        before = [methods[name] for name in each.after if name in answers]
+        try:
+            methods[each.name], answers[each.name] = _timed(each, before, repeats)
+        except FembearingError as problem:
+            methods[each.name] = Method(name=each.name, failed=str(problem))
+    able = [each.name for each in candidates if each.may_refer]
+    exact = next((name for name in reversed(able) if name in answers), None)
+    if exact != able[-1]:
+        reference = f"{'none' if exact is None else exact}: {able[-1]} failed"
+    for name, answer in answers.items():
+        error = None if exact is None or name == exact else deviation(answer, answers[exact])
+        known, uncertainty = methods[name].bound, None if exact is None else methods[exact].bound
+        if error is not None and (known is not None or uncertainty is not None):
+            known = error + (uncertainty or 0.0) if known is None else max(known, error)
+        methods[name] = replace(methods[name], error=error, known_error=known)
+    ladder = Ladder(quantity=quantity, reference=reference, methods=tuple(methods.values()))
+    chosen = ladder.cheapest(tolerance)
+    return replace(ladder, methods=tuple(replace(method, chosen=method is chosen) for method in ladder.methods))
 
 
 def deviation(answer: Array, exact: Array) -> float:
@@ -219,8 +131,39 @@ def deviation(answer: Array, exact: Array) -> float:
     return float(np.max(np.divide(off, np.abs(exact), out=np.where(off > 0, np.inf, 0.0), where=exact != 0)))
 
 
-def _seconds(run: Callable[[], object], *, calls: int) -> float:
+def clocked(run: Callable[[], Any], calls: int = 1) -> tuple[float, Any]:
+    """Mean seconds of a call, and the last result."""
     start = time.perf_counter()
-    for _ in range(calls):
+    for _ in range(calls - 1):
         run()
-    return (time.perf_counter() - start) / calls
+    result = run()
+    return (time.perf_counter() - start) / calls, result
+
+
+def _timed(candidate: Candidate, before: Sequence[Method], repeats: int) -> tuple[Method, Array]:
+    """A method with its answer: one call to warm up, one for its memory, and samples long enough for the clock."""
+    warm_up, memory = None, max((each.memory for each in before if each.memory), default=None)
+    spent = candidate.spent + sum(each.seconds or 0.0 for each in before)
+    if candidate.once:
+        once, result = clocked(candidate.run)
+    else:
+        warm_up, _ = clocked(candidate.run)
+        (once, result), memory = peak_while(partial(clocked, candidate.run))
+    seconds = [spent + once]
+    if not candidate.once and repeats > 1 and once <= DEAR:
+        calls = int(np.clip(np.ceil(SAMPLE / once), 1, MOST_CALLS))
+        count = int(np.clip(LONGEST / once, min(FEWEST, repeats), repeats))
+        seconds = seconds[: calls == 1]  # a single call is no sample among means of many
+        seconds += [clocked(candidate.run, calls)[0] for _ in range(count - len(seconds))]
+    bound = candidate.bound(result) if callable(candidate.bound) else candidate.bound
+    method = Method(
+        name=candidate.name,
+        bound=bound if bound is not None and np.isfinite(bound) else None,
+        seconds=float(np.median(seconds)),
+        spread=max(seconds) - min(seconds),
+        repeats=len(seconds),
+        warm_up=warm_up,
+        memory=memory,
+        unknowns=getattr(result, "unknowns", None),
+    )
+    return method, np.asarray(candidate.answer(result), dtype=float)

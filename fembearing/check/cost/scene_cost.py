@@ -1,40 +1,402 @@
-"""What accuracy costs in a scene: every method of every ladder, with its error, bound, seconds and memory."""
+"""What accuracy costs in a scene: every method of every ladder, with its error, bound, seconds and memory.
+
+The function of a ladder gives what the errors are relative to, and the methods. It raises InputError, with the reason,
+for a scene that has nothing to compare.
+"""
 
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from operator import attrgetter
+from typing import Any
 
-from analytic.errors import InputError, require_positive
+import numpy as np
+
+from analytic.cage.drive import cage_drive
+from analytic.cage.statistics import CageStatistics, measured_motion
+from analytic.cage.steady import DrivenCage
+from analytic.cage.torque import cage_friction, cage_moves, driven_cage
+from analytic.contact.geometry import RACES
+from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
+from analytic.contact.hertz_fitted import fitted_error, hertz_contact_fitted
+from analytic.effects import ruled
+from analytic.errors import FembearingError, InputError, require_positive
+from analytic.free_ball.rotation import LEVELS as FREE_NODES
+from analytic.loads.inertia import moment_of_turned_axis, outward_force
+from analytic.loads.kinematics import BallMotion, ball_kinematics
+from analytic.loads.numbers import free_angle
+from analytic.loads.ring import ring_equilibrium
+from analytic.loads.state import approaches
+from analytic.loads.thrust import thrust_equilibrium, thrust_equilibrium_frozen
+from analytic.numerics.elements import mapped
+from analytic.numerics.records import Records
+from analytic.oil.film import FILM_FACTORS
+from analytic.oil.variation import COVERAGE, FIT_SHARE, ROLLING_SPREAD
 from analytic.progress import Progress, part_of, silent
 from analytic.rows import Count
-from analytic.scene import Scene
+from analytic.scene import Array, Scene
+from analytic.sliding.ball import LEVELS as ELLIPSE_NODES
+from analytic.solve.solution import points_of, solved
+from analytic.surface.heightmap import FEWEST_POINTS, WIDEST, measure
+from analytic.surface.moments import SpectralMoments
+from analytic.surface.roughness import generated_surface, spectral_moments
+from analytic.torque import friction_torque, loaded_balls_of
+from analytic.words import speed_of
 from fembearing.check.contact.scene_contact import RECIPES, contact_of
-from fembearing.check.cost.cage_ladder import cage_methods
 from fembearing.check.cost.contact_ladder import measured_contact
-from fembearing.check.cost.creep_ladder import creep_methods
-from fembearing.check.cost.film_ladder import absent_films, measured_films
-from fembearing.check.cost.formula_ladders import (
-    friction_methods,
-    hertz_methods,
-    load_methods,
-    roughness_methods,
-    turning_methods,
-)
-from fembearing.check.cost.ladder import Ladder, UntimedLadder, measured, with_choices
+from fembearing.check.cost.ladder import REPEATS, ROUND_OFF, Candidate, Ladder, deviation, measured
+from fembearing.check.creep.production import models_of, produced
+from fembearing.check.creep.scene_creep import reference_torque, scene_at_heaviest
+from fembearing.check.film.scene_film import problem_of
 from fembearing.check.memory import peak_memory
-from fembearing.mesh.recipe import load_recipe
+from fembearing.ehl.film import RATIO, USUAL, numerical_film
+from fembearing.ehl.solver import require_few_cells
+from fembearing.grid_convergence import Estimate
+from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.provenance import Provenance, provenance_of
 
-FORMULA_LADDERS: tuple[tuple[str, Callable[[Scene], UntimedLadder]], ...] = (
-    ("Hertz contact", hertz_methods),
-    ("load of the heaviest ball", load_methods),
-    ("friction torque", friction_methods),
-    ("how balls turn", turning_methods),
-    ("sliding in the contacts", creep_methods),
-    ("roughness", roughness_methods),
-    ("cage torque", cage_methods),
-)
-FORMULAS, FILMS = 0.3, 0.6  # shares of the time, only for the progress
+Declared = tuple[str, list[Candidate]]  # what the last method that may refer is, in words, and the methods
+HERTZ_FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach")
+# Relative change of the heaviest ball's load per share of centrifugal force and of gyroscopic pull in it: a larger
+# inner angle unloads the inner race. Chosen on random scenes (validation/benchmarks/choices.py).
+PER_CENTRIFUGAL, PER_PULL = 1.5, 1.5
+HEAVIEST = 5.0  # times Fr/Z: load of the heaviest ball under a radial load; Stribeck's 4.37, rounded up for clearance
+SETTLED = 1e-10  # difference of two iterations to the same equilibrium
+# Tolerances that begin with each level of nodes, from coarse to fine; a level that misses half of its tolerance is left
+# for the next one
+LEVELS = (0.05, 5e-3, 5e-4, 1e-6)
+FINEST = 0.02  # least uncertainty that is asked of stick and slip
+LARGEST_MAP = 2048  # points along a side of a generated surface: takes 0.2 GB
+SEED = 20250  # of the generated surfaces: arbitrary, but the same every time
+# Deviation of one generated surface from its ensemble. On a square of side L the mean square height has the relative
+# standard deviation sqrt(2 (integral of rho^2)/L^2) = sqrt(pi) B/L, with either autocorrelation, and Sq half of that;
+# SCATTER is a little more than two of these. Slopes and curvatures scatter less. Differences over a spacing d make a
+# smooth surface's curvature too small by 0.8 (d/B)^2 (analytic.surface.heightmap.measure).
+SCATTER, LOW_BY = 2.0, 1.0
+SEEDS, DURATION = 3, 0.02  # of each motion; s, shorter than a scene's, so that all repeats take less than half a minute
+SHARES = (0.25, 0.5, 1.0, 2.0)  # of the scene's steps per contact
+FILMS = "central film, inner", "rolling force, inner"
+MODEL = "as in the torque"
+
+
+def hertz(scene: Scene) -> Declared:
+    """Fitted and exact Hertz, both races in one call."""
+    contacts = [contact_of(scene, pair=race) for race in RACES]
+    names = ("curvature_x", "curvature_y")
+    curvatures = dict(zip(names, np.transpose([relative_curvatures(each) for each in contacts]), strict=True))
+    load = np.array([each.load for each in contacts])
+    modulus = np.array([contact_modulus(each.ball_material, each.race_material) for each in contacts])
+    fitted, exact = (
+        partial(f, **curvatures, load=load, modulus=modulus) for f in (hertz_contact_fitted, hertz_contact)
+    )
+    numbers = attrgetter(*HERTZ_FIELDS)
+    return "exact Hertz; worst of semi-axes, peak pressure and approach of 2 contacts", [
+        Candidate("fitted", fitted, numbers, float(np.max(fitted_error(**curvatures)))),
+        Candidate("exact", exact, numbers, ROUND_OFF, may_refer=True),
+    ]
+
+
+def loads(scene: Scene) -> Declared:
+    """Load of the heaviest ball on each race at every operating point; by thrust alone where each point has thrust."""
+    bearing, rule, operation = scene.bearing, scene.contact_angle, scene.operation.as_series()
+    if rule.rule == "given":
+        raise InputError('contact_angle.rule = "given" fixes the angle, and thrust gives the loads in closed form')
+    axial, methods = operation.axial_load, []
+    at_speed = partial(thrust_equilibrium, bearing, rule, axial_load=axial, inner_speed=operation.inner_speed)
+    if np.all(axial > 0):
+        frozen = partial(thrust_equilibrium_frozen, bearing, rule, axial_load=axial)
+        unequal, inertia = _left_out_by_thrust(scene)
+        still = float(np.max(unequal + inertia)) + SETTLED
+        methods = [
+            Candidate("free angle", partial(_at_free_angle, scene), bound=lambda _: _opened(scene) + still),
+            Candidate("thrust, frozen stiffness", frozen, _on_both, lambda found: _softened(scene, found) + still),
+            Candidate("thrust, solved", partial(_thrust, scene), _on_both, still),
+            Candidate("thrust, at speed", at_speed, _on_both, float(np.max(unequal)) + SETTLED),
+        ]
+    reference = f"equilibrium of the ring, inertia included; worst of both races at {axial.size} operating points"
+    return reference, [
+        *methods,
+        Candidate("equilibrium of the ring", partial(_ring, scene), bound=ROUND_OFF, may_refer=True),
+    ]
+
+
+def _ring(scene: Scene) -> Array:
+    operation = scene.operation.as_series()
+    found = ring_equilibrium(
+        scene.bearing,
+        scene.contact_angle,
+        axial_load=operation.axial_load,
+        radial_load_x=operation.radial_load,
+        moment_y=operation.moment,
+        tilts=None if np.isnan(operation.held_tilt) else (0.0, operation.held_tilt),
+        inner_speed=operation.inner_speed,
+    )
+    return found.balls["load"].max(axis=1).T
+
+
+def _on_both(found: Records) -> Array:
+    return found["load"].T
+
+
+def _thrust(scene: Scene, angle: float | None = None, points: int | slice = slice(None)) -> Records:
+    """Thrust at operating points, by numbers from 0;  angle : rad, None: by the scene's rule."""
+    rule = scene.contact_angle if angle is None else replace(scene.contact_angle, rule="given", value=angle)
+    return thrust_equilibrium(scene.bearing, rule, axial_load=scene.operation.as_series().axial_load[points])
+
+
+def _free_angle(scene: Scene) -> float:
+    rule = scene.contact_angle
+    free = free_angle(scene.bearing) if rule.free is None else rule.free
+    if free is None:
+        raise InputError("a preloaded bearing has no free contact angle")
+    if free == 0:
+        raise InputError("at a free contact angle of 0 no ball carries thrust")
+    return free
+
+
+def _at_free_angle(scene: Scene) -> Array:
+    load = scene.operation.as_series().axial_load / (scene.bearing.ball_count * np.sin(_free_angle(scene)))
+    return np.stack([load] * 2)
+
+
+def _opened(scene: Scene) -> float:
+    """sin al/sin al0 - 1: at the free angle al0 the load is too large, and so is the angle al that it opens."""
+    free = _free_angle(scene)
+    opened = approaches(_thrust(scene, free)).sum(axis=-1) / scene.bearing.groove_centre_distance
+    return float(np.max(np.sin(np.arccos(np.cos(free) / (1 + opened))) / np.sin(free) - 1))
+
+
+def _softened(scene: Scene, frozen: Records) -> float:
+    """Bound from the error of the approach at the loaded angle, with the contacts' stiffness held at the free angle.
+
+    Q falls as sin al rises, and ln(tan al) changes by at most 3/2 of the approach's relative change at any angle.
+    """
+    angle, approach = frozen["angle"][..., 0], approaches(frozen).sum(axis=-1)
+    true = [float(approaches(_thrust(scene, float(each), n)).sum()) for n, each in enumerate(angle)]
+    return float(np.max(np.abs(approach / true - 1) * np.cos(angle) ** 2 * 3 / 2))
+
+
+def _left_out_by_thrust(scene: Scene) -> tuple[Array, Array]:
+    """(n,) effects of radial load with moment, and of inertia, on the load of the heaviest ball, over its true load."""
+    bearing, operation, still = scene.bearing, scene.operation.as_series(), _thrust(scene)
+    sideways = np.abs(operation.radial_load) + np.abs(operation.moment) / bearing.pitch_diameter
+    unequal = HEAVIEST * sideways / (bearing.ball_count * still["load"][..., 0])
+    angle, speed = still["angle"][..., 0], operation.inner_speed
+    motion = BallMotion._make(
+        mapped(ball_kinematics, speed, angle, angle, bearing.pitch_diameter, bearing.ball_diameter)
+    )
+    outward = outward_force(bearing.ball_mass, bearing.pitch_diameter, motion.cage_speed)
+    upright = moment_of_turned_axis(
+        bearing.ball_mass, bearing.ball_diameter, motion.ball_speed, motion.cage_speed, np.pi / 2
+    )
+    pull = upright * np.cos(angle) / bearing.ball_radius  # of the friction that holds the moment, along the axis
+    return unequal / (1 + unequal), (PER_CENTRIFUGAL * outward + PER_PULL * pull) / still["load"][..., 0]
+
+
+def friction(scene: Scene) -> Declared:
+    """Torque of the races by the nodes that integrate sliding over the ellipses, with closed kinematics."""
+    _require_sliding(scene)
+    closed = replace(scene, spin_rule="balanced") if scene.spin_rule == "free" else scene
+    return f"sliding integrated over the ellipses; {_worst(scene)}", [
+        _torque(f"over ellipses, from {n} by {m} nodes", replace(closed, tolerance=tolerance))
+        for (n, m), tolerance in zip(ELLIPSE_NODES, LEVELS, strict=True)
+    ]
+
+
+def turning(scene: Scene) -> Declared:
+    """Torque of the races by how the balls turn: by rule, or freely with or without creep.
+
+    Nothing bounds what a rule and rigid surfaces miss.
+    """
+    _require_sliding(scene)
+    free = replace(scene, spin_rule="free")
+    if reason := ruled(free):
+        raise InputError(f"the balls do not turn freely: {reason}")
+    rigid = replace(free, effects={**scene.effects, "creep": "off"})
+    return f"torque of free balls, creep marched through many nodes; {_worst(scene)}", [
+        _torque("rule of balanced spin", replace(scene, spin_rule="balanced"))._replace(bound=None),
+        _torque("free balls without creep", rigid)._replace(bound=None),
+        *(
+            _torque(f"with marched creep, from {n} by {m} nodes", replace(free, tolerance=tolerance))
+            for (n, m), tolerance in zip(FREE_NODES, LEVELS, strict=True)
+        ),
+    ]
+
+
+def _require_sliding(scene: Scene) -> None:
+    if not scene.has_friction:
+        raise InputError("neither friction.coefficient nor both [lubricant] and [surface] are given")
+    if scene.microslip == "as_printed":
+        raise InputError('friction.microslip = "as_printed" has one method: the paper\'s moments')
+    if scene.effects.get("spin") == scene.effects.get("conformity") == "off":
+        raise InputError("nothing slides: spin and conformity are off")
+
+
+def _worst(scene: Scene) -> str:
+    return f"worst of {scene.operation.as_series().axial_load.size} operating points"
+
+
+def _torque(name: str, scene: Scene) -> Candidate:
+    run = partial(friction_torque, replace(scene, effects={**scene.effects, "cage": "off"}))
+    return Candidate(
+        name,
+        run,
+        answer=lambda found: found.settled().torque.race,
+        bound=lambda found: float(np.max(found.numerical_uncertainty)),
+        may_refer=scene.tolerance == LEVELS[-1],
+    )
+
+
+def sliding(scene: Scene) -> Declared:
+    """Torque by sliding of all balls at the operating point of the heaviest one. Raises InputError as `creep_of`."""
+    given, _ = scene_at_heaviest(scene)
+    by_rule, free = models_of(given)
+    points, torque = points_of(given.operation, free.temperature), attrgetter("sliding_torque")
+    reference = partial(reference_torque, produced(given), tolerance=max(scene.tolerance, FINEST))
+    return "stick and slip on half spaces; all balls at the operating point of the heaviest one", [
+        Candidate("formula, closed kinematics", partial(solved, by_rule, points), torque),
+        Candidate("free balls, marched creep", partial(solved, free, points), torque),
+        Candidate("stick and slip", reference, lambda found: found[0], lambda found: found[1] / found[0], True),
+    ]
+
+
+def roughness(scene: Scene) -> Declared:
+    """Rms height (Sq), slope and curvature of the declared surface: in closed form, and of generated surfaces."""
+    surface = scene.surface
+    if surface is None:
+        raise InputError("the scene has no [surface]")
+    correlation, rms = surface.autocorrelation, surface.rms_roughness
+    if correlation is None or rms is None:
+        raise InputError("the surface is measured: its height map is the only method for its moments")
+    if rms == 0:
+        raise InputError("surface.rms_roughness = 0: a smooth surface has no slopes to compare")
+    kind, length, spacing = correlation.kind, correlation.length, correlation.spacing
+
+    def generated(size: int) -> SpectralMoments:
+        made = generated_surface(rms_roughness=rms, autocorrelation=correlation, points=size, seed=SEED)
+        return measure(made).moments
+
+    def numbers(moments: SpectralMoments) -> Array:
+        return np.sqrt([moments.height, moments.slope, moments.curvature])
+
+    def bound(size: int) -> float:
+        """Scatter, by the correlation lengths in the map, and on a smooth surface the error of differences."""
+        return SCATTER * length / (size * spacing) + (LOW_BY * (spacing / length) ** 2 if kind == "gaussian" else 0.0)
+
+    least = max(length / (WIDEST * spacing) * (1 - 1e-12), FEWEST_POINTS)
+    first = int(2 ** np.ceil(np.log2(least)))
+    sizes = [size for size in (first, 2 * first, 4 * first) if size <= LARGEST_MAP] or [first]
+    if spacing > WIDEST * length * (1 + 1e-12) or first > 2 * LARGEST_MAP:
+        sizes = []  # none can be generated: the spacing is too coarse, or there are too many points
+    closed = partial(spectral_moments, rms_roughness=rms, autocorrelation=correlation)
+    return "closed forms, exact for the given autocorrelation; worst of Sq, slope and curvature, rms", [
+        Candidate("closed-form moments", closed, numbers, ROUND_OFF, may_refer=True),
+        *(Candidate(f"generated, {n} x {n}", partial(generated, n), numbers, bound(n)) for n in sizes),
+    ]
+
+
+def cage(scene: Scene) -> Declared:
+    """Torque of the cage at the fastest operating point, each method with the friction coefficient of the closed form.
+
+    The motion starts from rest, as the closed form assumes, unless the scene says how its cage started. Raises
+    InputError for a scene without a cage, without friction in its pockets, at standstill, or with balls that lead
+    farther than the pockets leave free.
+    """
+    given, series = scene.cage, scene.operation.as_series()
+    if given is None:
+        raise InputError("the scene has no [cage]")
+    if not scene.has_friction and given.friction_coefficient is None:
+        raise InputError("neither friction.coefficient nor both [lubricant] and [surface] are given")
+    operation = series.at(np.array([np.argmax(np.abs(series.inner_speed))]))
+    speed = float(operation.inner_speed[0])
+    if speed == 0:
+        raise InputError("the bearing stands still, without friction of the cage")
+    resting = replace(scene, operation=operation, effects={**scene.effects, "cage": "on", "cage_dynamics": "off"})
+    drive = cage_drive(resting, loaded_balls_of(resting), scene.friction_coefficient, operation.inner_speed)
+    closed_form = partial(cage_friction, resting, drive, cage_moves(resting, None))
+    level = driven_cage(
+        scene.bearing,
+        given,
+        friction_coefficient=float(closed_form().friction_coefficient[0]),
+        inner_speed=speed,
+        orbit_speed=speed * float(drive.orbit_rate[0]),
+        ball_speed=speed * float(drive.ball_rate[0]),
+        contact_angle=float(drive.contact_angle[0]),
+    )
+    driven = replace(level, ball_lead=float(drive.grip.ball_lead[0]))
+    start, duration = given.start or "rest", min(max(DURATION, driven.crossing_time), given.duration)
+    longer, how = (
+        given.seeds * given.duration / (SEEDS * duration),
+        {"start": start, "seeds": SEEDS, "duration": duration},
+    )
+    words = f'motion in the finest steps, from "{start}", {SEEDS} seeds of {duration:.3g} s at {speed_of(speed)}'
+    return f"{words}; the motion of the scene takes {longer:.3g} times as long", [
+        # No closed form bounds what this one leaves out: only the motion shows it.
+        Candidate("closed form at rest", closed_form, attrgetter("torque")),
+        *_motions(driven, [share * given.steps_per_contact for share in SHARES], how),
+    ]
+
+
+def _motions(driven: DrivenCage, steps: Sequence[float], how: dict[str, Any]) -> Iterator[Candidate]:
+    """The motion of a cage in so many steps a contact, each list twice as many; how : as `measured_motion`"""
+    done: dict[float, CageStatistics] = {}
+
+    def moved(number: float) -> CageStatistics:
+        done[number] = measured_motion.__wrapped__(driven, **how, steps_per_contact=number)  # not from its cache
+        return done[number]
+
+    def bound(motion: CageStatistics, coarser: float) -> float | None:
+        """The change from twice the step, and half the interval of the mean over seeds; None without a coarser one."""
+        if coarser not in done:
+            return None
+        low, high = motion.torque_interval
+        interval = 0.0 if high == low else (high - low) / 2 / abs(motion.torque)
+        return deviation(np.array(done[coarser].torque), np.array(motion.torque)) + interval
+
+    for each in steps:
+        name, limit = f"motion, {each:g} steps a contact", partial(bound, coarser=each / 2)
+        yield Candidate(name, partial(moved, each), attrgetter("torque"), limit, may_refer=True)
+
+
+def films(scene: Scene, *, progress: Progress, **how: Any) -> list[Ladder]:
+    """Central film and rolling force of the heaviest ball on the inner race, from the same grids.
+
+    how : as `measured`. Raises InputError for a scene without such a film.
+    """
+    closed, _ = problem_of(scene, "inner")
+    require_few_cells(closed.problem, USUAL * RATIO)
+    progress(0.0, "film on three grids")
+    found = numerical_film(closed.problem, refinement=USUAL)
+    reference = "three grids, extrapolated; the seconds of a grid include those of the coarser grids"
+
+    def ladder(quantity: str, part: Estimate, formulas: list[Candidate]) -> Ladder:
+        grids = [
+            Candidate(f"numerical, grid {1 + number}", partial(float, value), once=True, spent=seconds)
+            for number, (value, seconds) in enumerate(zip(part.values, found.grid_seconds, strict=True))
+        ]
+        last = Candidate("numerical, three grids", lambda: part.value, bound=part.total, may_refer=True, once=True)
+        return measured(quantity, reference, [*formulas, *grids, last._replace(spent=found.seconds)], **how)
+
+    of_film, spread = FILM_FACTORS[1] - 1, COVERAGE * ROLLING_SPREAD
+    of_fit = spread * (1 - closed.model_force()[1] * (1 - FIT_SHARE))
+    film = [Candidate("formula", closed.film, bound=of_film), Candidate(MODEL, closed.model_film, bound=of_film)]
+    force = [
+        Candidate("formula", closed.resistance, attrgetter("force"), float(np.expm1(spread))),
+        Candidate(MODEL, lambda: closed.model_force()[0], bound=float(np.expm1(of_fit))),
+    ]
+    return [ladder(FILMS[0], found.central_film, film), ladder(FILMS[1], found.rolling_force, force)]
+
+
+FORMULA_LADDERS: dict[str, Callable[[Scene], Declared]] = {
+    "Hertz contact": hertz,
+    "load of the heaviest ball": loads,
+    "friction torque": friction,
+    "how balls turn": turning,
+    "sliding in the contacts": sliding,
+    "roughness": roughness,
+    "cage torque": cage,
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,10 +418,18 @@ class Cost:
     provenance: Provenance
 
 
-def measure_cost(scene: Scene, *, tolerance: float | None = None, progress: Progress = silent) -> Cost:
+def measure_cost(
+    scene: Scene,
+    *,
+    tolerance: float | None = None,
+    recipe: Recipe | None = None,
+    repeats: int = REPEATS,
+    progress: Progress = silent,
+) -> Cost:
     """Error and time of every method of a scene's ladders, in one run.
 
     tolerance : relative, for the choice; the scene's unless given
+    recipe : of the meshes; that of a race unless given;  repeats : as those of `measured`
     progress : called with the share done, 0 to 1, and the name of the current step
     A method that cannot solve the scene is shown with the reason, and so is a ladder that the scene does not have.
     Raises InputError for a scene without a contact.
@@ -68,20 +438,21 @@ def measure_cost(scene: Scene, *, tolerance: float | None = None, progress: Prog
     tolerance = scene.tolerance if tolerance is None else tolerance
     require_positive(tolerance=tolerance)
     contact = contact_of(scene, pair="inner")  # raises for a scene without one
+    runs: list[tuple[tuple[str, ...], Callable[..., list[Ladder]]]] = [
+        *(((name,), partial(_one, name, declare, scene)) for name, declare in FORMULA_LADDERS.items()),
+        (FILMS, partial(films, scene)),
+        (
+            ("contact, inner",),
+            lambda **how: [measured_contact(contact, recipe=recipe or load_recipe(RECIPES["real"]), **how)],
+        ),
+    ]
     ladders = []
-    for number, (quantity, methods) in enumerate(FORMULA_LADDERS):
-        progress(FORMULAS * number / len(FORMULA_LADDERS), quantity)
+    for number, (quantities, run) in enumerate(runs):
+        part = part_of(progress, number / len(runs), (number + 1) / len(runs))
         try:
-            ladders.append(measured(methods(scene), tolerance=tolerance))
-        except InputError as reason:
-            ladders.append(with_choices(Ladder(quantity=quantity, reference="none", methods=(), absent=str(reason))))
-    try:
-        ladders += measured_films(scene, tolerance=tolerance, progress=part_of(progress, FORMULAS, FILMS))
-    except InputError as reason:
-        ladders += map(with_choices, absent_films(reason))
-    recipe = load_recipe(RECIPES["real"])
-    rest = part_of(progress, FILMS, 1.0)
-    ladders.append(measured_contact(contact, recipe=recipe, tolerance=tolerance, progress=rest))
+            ladders += run(tolerance=tolerance, repeats=repeats, progress=part)
+        except FembearingError as reason:
+            ladders += [Ladder(quantity=each, absent=str(reason)) for each in quantities]
     return Cost(
         tolerance=tolerance,
         ladders=tuple(ladders),
@@ -89,3 +460,7 @@ def measure_cost(scene: Scene, *, tolerance: float | None = None, progress: Prog
         warnings=tuple(scene.warnings),
         provenance=provenance_of(scene),
     )
+
+
+def _one(quantity: str, declare: Callable[[Scene], Declared], scene: Scene, **how: Any) -> list[Ladder]:
+    return [measured(quantity, *declare(scene), **how)]

@@ -6,7 +6,7 @@ import numpy as np
 
 from analytic.contact.geometry import RACES, race_contact
 from analytic.scene import Array, Scene
-from fembearing.check.contact.elastic_bodies import meshed_pair
+from fembearing.check.contact.compliance import meshed_pair
 from fembearing.check.creep.production import ProducedBall
 from fembearing.creep.ball import Elasticity, TurningBall
 from fembearing.creep.half_space import HalfSpaces

@@ -15,10 +15,11 @@ from analytic.brief import Brief
 from analytic.contact.geometry import RACES, Race
 from analytic.errors import InputError, require_positive
 from analytic.progress import Progress, silent
-from analytic.rows import NotNegative, OperatingPoint, Positive
+from analytic.rows import OperatingPoint, Positive
 from analytic.scene import Bearing, Material, Operation, Scene
+from fembearing.check.comparison import Comparison, compared
 from fembearing.check.contact.bearings import OfPair
-from fembearing.check.contact.elastic_bodies import Compliance
+from fembearing.check.contact.compliance import Compliance
 from fembearing.check.contact.scene_contact import balls_of, heaviest_place, traced_to_load
 from fembearing.check.creep.meshed_bodies import with_meshed_bodies
 from fembearing.check.creep.production import (
@@ -40,21 +41,6 @@ NO_SPIN = 1e-9  # of the slip by conformity
 
 
 @dataclass(frozen=True, kw_only=True)
-class CreepQuantity:
-    """One quantity by three methods, SI."""
-
-    formula: float
-    production: float
-    reference: float
-    uncertainty: NotNegative  # of the reference, half-width at 95 %, in its unit
-
-    @property
-    def change(self) -> float | None:
-        """Production over the reference, less 1; None where the reference may be 0."""
-        return None if abs(self.reference) <= self.uncertainty else self.production / self.reference - 1
-
-
-@dataclass(frozen=True, kw_only=True)
 class RaceNumbers:
     """One race of the heaviest ball. Moments resist; creepages are slip over the rolling speed, along to the front."""
 
@@ -62,19 +48,10 @@ class RaceNumbers:
     load: float  # likewise, N
     semi_axis_rolling: Positive  # a, m
     semi_axis_transverse: Positive  # b, m
-    creepage_along: CreepQuantity  # of the centre; < 0: the ball is slower than its race
-    creepage_across: CreepQuantity
-    spin_creepage: CreepQuantity  # >= 0, 1/m
-    spin_moment: CreepQuantity  # N m
-    rolling_moment: CreepQuantity  # int (t_x y^2/2 - t_y x y) dA/R, N m
-    transverse_force: CreepQuantity  # on the ball across the groove, N
-    slip_share: CreepQuantity  # of the area
-    power: CreepQuantity  # W
-
-    @property
-    def quantities(self) -> dict[str, CreepQuantity]:
-        """Each by its name."""
-        return {name: part for name, part in vars(self).items() if isinstance(part, CreepQuantity)}
+    # creepage_along of the centre, < 0: the ball is slower than its race; creepage_across; spin_creepage >= 0, 1/m;
+    # spin_moment, and rolling_moment = int (t_x y^2/2 - t_y x y) dA/R, N m; transverse_force on the ball across the
+    # groove, N; slip_share of the area; power, W
+    quantities: dict[str, Comparison]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,9 +60,8 @@ class CreepNumbers:
 
     point: OperatingPoint
     friction_coefficient: float | None  # given; None: by oil and surfaces
-    inner: RaceNumbers
-    outer: RaceNumbers
-    torque: CreepQuantity  # by sliding, of all balls about the bearing axis, N m
+    races: dict[Race, RaceNumbers]
+    torque: Comparison  # by sliding, of all balls about the bearing axis, N m
     solved_balls: int  # by the reference, of those that differ
     different_balls: int
     strips: int  # of the finest grid
@@ -96,11 +72,6 @@ class CreepNumbers:
     warnings: tuple[str, ...]
     compliance: Compliance = "half-space"  # of the reference
     bearing: OfPair | None = None  # of a pair
-
-    @property
-    def races(self) -> dict[Race, RaceNumbers]:
-        """By their names."""
-        return {"inner": self.inner, "outer": self.outer}
 
     @property
     def relative_uncertainty(self) -> float:
@@ -115,10 +86,11 @@ class CreepNumbers:
     @property
     def spins(self) -> bool:
         """Whether spin takes part in the slip."""
-        return any(
-            race.spin_creepage.production * race.semi_axis_transverse > NO_SPIN * abs(race.creepage_along.production)
+        slip = (
+            (race.semi_axis_transverse * race.quantities["spin_creepage"].production, race.quantities["creepage_along"])
             for race in self.races.values()
         )
+        return any(spin > NO_SPIN * abs(along.production) for spin, along in slip)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -132,8 +104,8 @@ class SceneCreep(Brief):
 
     def _facts(self) -> Iterator[str]:
         found = self.numbers
-        yield from (f"{found.inner.load:.4g} N", f"torque by sliding {1e3 * found.torque.reference:.4g} N mm")
-        yield f"production {found.torque.production / found.torque.reference - 1:+.1%}"
+        yield from (f"{found.races['inner'].load:.4g} N", f"torque by sliding {1e3 * found.torque.reference:.4g} N mm")
+        yield f"production {found.torque.difference:+.1%}"
 
 
 def creep_of(
@@ -194,19 +166,16 @@ def creep_of(
         production, tolerance=limit, compliance=compliance, progress=progress
     )
     heaviest, ball = solved[0], production.balls[0]
-    inner, outer = (
-        _race(estimates, race, ball.mirrored, (formula[k], march[k]), ball.turning.speed)
-        for k, (estimates, race) in enumerate(zip((heaviest.inner, heaviest.outer), heaviest.finest.races, strict=True))
-    )
+    races: dict[Race, RaceNumbers] = {
+        name: _race(getattr(heaviest, name), race, ball.mirrored, (formula[k], march[k]), ball.turning.speed)
+        for k, (name, race) in enumerate(zip(RACES, heaviest.finest.races, strict=True))
+    }
     grid = heaviest.grids[-1]
     numbers = CreepNumbers(
         point=_point_of(given.operation),
         friction_coefficient=given.friction_coefficient,
-        inner=inner,
-        outer=outer,
-        torque=CreepQuantity(
-            formula=production.formula, production=production.torque, reference=reference, uncertainty=uncertainty
-        ),
+        races=races,
+        torque=compared(production.torque, reference, uncertainty, formula=production.formula),
         solved_balls=len(solved),
         different_balls=len(production.balls),
         strips=grid.strips,
@@ -254,7 +223,7 @@ def _scaled_to(scene: Scene, load: float) -> Scene:
     require_positive(ball_load=load)
     with traced_to_load(scene, pair="inner", load=load):
         for _ in range(MOST_SCALINGS):
-            ratio = load / float(balls_of(scene).load.max())
+            ratio = load / float(balls_of(scene)["load"].max())
             if abs(ratio - 1) <= SCALED:
                 return scene
             operation = scene.operation
@@ -305,34 +274,33 @@ def _race(
     """One race; methods : formula and production;  speed : of the ring, rad/s"""
     side, spin = -1.0 if mirrored else 1.0, float(np.sign(race.friction.creepages.spin))
 
-    def beside(name: str, sign: float = 1.0, most: float = np.inf) -> CreepQuantity:
+    def beside(name: str, sign: float = 1.0, most: float = np.inf) -> Comparison:
         formula, march = (getattr(method, name) for method in methods)
         found: Any = getattr(estimates, name)
-        return CreepQuantity(
-            formula=formula, production=march, reference=min(sign * found.value, most), uncertainty=found.uncertainty
-        )
+        return compared(march, min(sign * found.value, most), found.uncertainty, formula=formula)
 
-    def power(torque: Any) -> CreepQuantity:
-        return CreepQuantity(
+    torque = estimates.torque
+    quantities = {
+        "creepage_along": beside("creepage_along"),
+        "creepage_across": beside("creepage_across", side),
+        "spin_creepage": beside("spin_creepage", spin),
+        "spin_moment": beside("spin_moment", -race.side * spin),
+        "rolling_moment": beside("rolling_moment", -1.0),
+        "transverse_force": beside("transverse_force", side),
+        "slip_share": beside("slip_share", most=1.0),
+        "power": compared(
+            speed * methods[1].torque,
+            speed * torque.value,
+            speed * torque.uncertainty,
             formula=speed * methods[0].torque,
-            production=speed * methods[1].torque,
-            reference=speed * torque.value,
-            uncertainty=speed * torque.uncertainty,
-        )
-
+        ),
+    }
     return RaceNumbers(
         contact_angle=race.angle * side,
         load=race.load,
         semi_axis_rolling=race.semi_axis_rolling,
         semi_axis_transverse=race.semi_axis_transverse,
-        creepage_along=beside("creepage_along"),
-        creepage_across=beside("creepage_across", side),
-        spin_creepage=beside("spin_creepage", spin),
-        spin_moment=beside("spin_moment", -race.side * spin),
-        rolling_moment=beside("rolling_moment", -1.0),
-        transverse_force=beside("transverse_force", side),
-        slip_share=beside("slip_share", most=1.0),
-        power=power(estimates.torque),
+        quantities=quantities,
     )
 
 

@@ -6,7 +6,7 @@ sides have the same oil, the same load and the same speed, without heat of the i
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,8 +21,9 @@ from analytic.prediction.settled import level_of
 from analytic.progress import Progress, silent
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Contact, Scene
+from fembearing.check.comparison import Comparison, ShownVerdict, compared_with, worst
 from fembearing.check.contact.bearings import OfPair
-from fembearing.check.contact.elastic_bodies import Compliance, meshed_pair
+from fembearing.check.contact.compliance import Compliance, meshed_pair
 from fembearing.check.contact.scene_contact import balls_of, contact_at, heaviest_place
 from fembearing.check.film.closed_forms import ClosedForms
 from fembearing.ehl.ball_on_race import lubricated_contact
@@ -30,7 +31,6 @@ from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.film import RATIO, NumericalFilm, numerical_film
 from fembearing.ehl.oil import Oil
 from fembearing.ehl.solver import require_few_cells
-from fembearing.grid_convergence import Estimate
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -38,23 +38,6 @@ if TYPE_CHECKING:
 REFINEMENTS = (0.75, 0.95, 1.2)  # of the middle grid, until the tolerance is reached
 OUTSIDE = "the formula of the rolling force is outside its range: rigid bodies would resist less than elastic ones"
 JUDGED = ("central_film", "rolling_force")  # must reach the tolerance; the minimum lies beside the contact's edge
-
-
-@dataclass(frozen=True, kw_only=True)
-class FilmQuantity:
-    """One quantity by formula and by numerical solution, SI."""
-
-    formula: float  # in closed form, without compression of the oil
-    production: float  # as the torque takes it: the fit to numerical solutions, or the formula outside its range
-    numerical: float
-    uncertainty: float  # of the numerical value, half-width at 95 %, in its unit
-    discrepancy: float  # production over numerical value, less 1
-    order: float | None  # observed on the three grids
-
-    @property
-    def relative_uncertainty(self) -> float:
-        """Of the numerical value."""
-        return self.uncertainty / abs(self.numerical)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,12 +54,11 @@ class FilmNumbers:
     loading: float  # Moes's M
     thickening: float  # Moes's L
     ellipticity: float  # lambda = R_x/R_y
-    central_film: FilmQuantity  # m
-    minimum_film: FilmQuantity  # m
-    rolling_force: FilmQuantity  # on each surface against its motion, N
-    pressure_centre: FilmQuantity  # its distance ahead of the contact's centre, m
+    # central_film, minimum_film and pressure_centre, its distance ahead of the contact's centre, m; rolling_force, on
+    # each surface against its motion, N. The formulas take an oil without compression.
+    quantities: dict[str, Comparison]
     dissipated_force: float  # the force from the viscous dissipation, N: a check
-    verdict: Literal["pass", "fail", "undecided"]  # whether film and force are within the stated errors of the formulas
+    verdict: ShownVerdict  # whether film and force are within the stated errors of the formulas
     tolerance: float  # asked of central film and rolling force, relative
     seconds: float  # of the solution on its three grids
     warnings: tuple[str, ...]
@@ -84,17 +66,12 @@ class FilmNumbers:
     bearing: OfPair | None = None  # of a pair
 
     @property
-    def quantities(self) -> dict[str, FilmQuantity]:
-        """Each by its name."""
-        names = ("central_film", "minimum_film", "rolling_force", "pressure_centre")
-        return {name: getattr(self, name) for name in names}
-
-    @property
     def worst(self) -> tuple[str, float]:
         """The quantity with the largest relative uncertainty, of those that must reach the tolerance."""
-        each = {name: getattr(self, name).relative_uncertainty for name in JUDGED}
-        name = max(each, key=lambda name: each[name])
-        return name, each[name]
+        each = {name: self.quantities[name] for name in JUDGED}
+        found = {name: part.uncertainty / abs(part.reference) for name, part in each.items()}
+        name = max(found, key=lambda name: found[name])
+        return name, found[name]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -106,7 +83,8 @@ class RaceFilm(Brief):
 
     def _facts(self) -> Iterator[str]:
         found = self.numbers
-        yield from (found.pair, f"{found.load:.4g} N", f"film {1e6 * found.central_film.numerical:.4g} um")
+        film = found.quantities["central_film"]
+        yield from (found.pair, f"{found.load:.4g} N", f"film {1e6 * film.reference:.4g} um")
 
     def plot(self) -> "Figure":
         """Maps of pressure and film, and both along the line of rolling, as the report has them.
@@ -194,7 +172,7 @@ def film_change(scene: Scene, friction: FrictionTorque, films: tuple[RaceFilm, .
     """
 
     def ratio(name: str) -> float:
-        return float(np.mean([1 / (1 + film.numbers.quantities[name].discrepancy) for film in films]))
+        return float(np.mean([1 / (1 + film.numbers.quantities[name].difference) for film in films]))
 
     numerical = Variation(film=ratio("central_film"), rolling=ratio("rolling_force"))
     same = without_moving_cage(scene, friction)
@@ -203,16 +181,12 @@ def film_change(scene: Scene, friction: FrictionTorque, films: tuple[RaceFilm, .
     return (parts_of(same, numerical, level).total - base) / friction.torque.total
 
 
-def _verdict(
-    *judged: tuple[FilmQuantity, tuple[float, float]],
-) -> Literal["pass", "fail", "undecided"]:
-    """Whether numerical values lie within factors of what production takes, for certain."""
-    inside, outside = True, False
-    for each, (least, most) in judged:
-        low, high = ((each.numerical + sign * each.uncertainty) / each.production for sign in (-1, 1))
-        inside = inside and least <= low and high <= most
-        outside = outside or high < least or most < low
-    return "pass" if inside else "fail" if outside else "undecided"
+def _judged(found: Comparison, factors: tuple[float, float]) -> Comparison:
+    """With the verdict whether the numerical value lies within factors of what production takes, for certain."""
+    low, high = ((found.reference + sign * found.uncertainty) / found.production for sign in (-1, 1))
+    least, most = factors
+    inside, outside = least <= low and high <= most, high < least or most < low
+    return replace(found, verdict="pass" if inside else "fail" if outside else "undecided")
 
 
 def _accurate(problem: LubricatedContact, *, tolerance: float, progress: Callable[[float], None]) -> NumericalFilm:
@@ -282,26 +256,22 @@ def problem_of(
 def _compared(closed: ClosedForms, solution: NumericalFilm, *, inner_speed: float, tolerance: float) -> RaceFilm:
     """The formulas beside a solution of the same contact."""
     problem, contact = closed.problem, closed.contact
-
-    def beside(formula: float, production: float, part: Estimate) -> FilmQuantity:
-        return FilmQuantity(
-            formula=formula,
-            production=production,
-            numerical=part.value,
-            uncertainty=part.total * abs(part.value),
-            discrepancy=production / part.value - 1,
-            order=part.order,
-        )
-
-    films = closed.film(), closed.model_film()
-    smallest = [closed.minimum_ratio() * each for each in films]
-    resistance = closed.resistance()
-    produced, share = closed.model_force()
-    forces = float(resistance.force), produced
+    film, produced_film = closed.film(), closed.model_film()
+    minimum, resistance = closed.minimum_ratio(), closed.resistance()
+    force, (produced_force, share) = float(resistance.force), closed.model_force()
     arm = 2 * problem.shape.radii[0] / contact.load
-    film = beside(*films, solution.central_film)
-    rolling_force = beside(*forces, solution.rolling_force)
     spread = COVERAGE * ROLLING_SPREAD * (1 - share * (1 - FIT_SHARE))
+    quantities = {
+        name: compared_with(getattr(solution, name), production, formula=formula)
+        for name, formula, production in (
+            ("central_film", film, produced_film),
+            ("minimum_film", minimum * film, minimum * produced_film),
+            ("rolling_force", force, produced_force),
+            ("pressure_centre", force * arm, produced_force * arm),
+        )
+    }
+    for name, factors in (("central_film", FILM_FACTORS), ("rolling_force", (np.exp(-spread), np.exp(spread)))):
+        quantities[name] = _judged(quantities[name], factors)
     numbers = FilmNumbers(
         pair=closed.pair,
         load=contact.load,
@@ -313,12 +283,9 @@ def _compared(closed: ClosedForms, solution: NumericalFilm, *, inner_speed: floa
         loading=problem.loading,
         thickening=problem.thickening,
         ellipticity=problem.ellipticity,
-        central_film=film,
-        minimum_film=beside(smallest[0], smallest[1], solution.minimum_film),
-        rolling_force=rolling_force,
-        pressure_centre=beside(forces[0] * arm, forces[1] * arm, solution.pressure_centre),
+        quantities=quantities,
         dissipated_force=solution.dissipated_force.value,
-        verdict=_verdict((film, FILM_FACTORS), (rolling_force, (np.exp(-spread), np.exp(spread)))),
+        verdict=worst(quantities[name].verdict for name in JUDGED),
         tolerance=tolerance,
         seconds=solution.seconds,
         warnings=(OUTSIDE,) if share < 1 and resistance.outside_range else (),

@@ -9,9 +9,8 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from analytic.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, PURPLE, RED, WIDTH, lettered
 from fembearing.check.contact.figure import CAPTION, CUT, DrawnPressure, contact_columns, pressure_figure
-from fembearing.fem.measure import Quantities
+from fembearing.check.contact.solution import ContactNumbers
 from fembearing.quantities import CONTACT, Units
-from fembearing.report.contact import ContactRecord
 from fembearing.report.phrases import contact_place, place_of
 from fembearing.report.report import Report
 
@@ -46,8 +45,8 @@ def pressure_plot(document: Report) -> tuple[Figure | None, str]:
         DrawnPressure(
             title=f"{_title(contact)}\n{units.force.written(contact.load, '.4g')}",
             profiles=contact.pressure_profile,
-            hertz=Quantities(**vars(contact.hertz)),
-            fe=Quantities(**vars(contact.fe)),
+            hertz=contact.hertz,
+            fe=contact.reference,
             shoulders=[] if contact.shoulder is None else contact.shoulder.cuts,
             is_half=contact.shoulder is not None and contact.shoulder.half,
         )
@@ -57,7 +56,7 @@ def pressure_plot(document: Report) -> tuple[Figure | None, str]:
     return pressure_figure(drawn, units), CAPTION + (CUT if cut else "")
 
 
-def _title(contact: ContactRecord) -> str:
+def _title(contact: ContactNumbers) -> str:
     """The place of a contact in short lines."""
     return contact_place(contact).replace(", ", ",\n").replace(" of the", "\nof the")
 
@@ -69,16 +68,16 @@ def approach_plot(document: Report) -> tuple[Figure | None, str]:
     return contact_columns(document.contacts, _curve, _apart, units=units, labels=labels), APPROACHES
 
 
-def _curve(panel: Axes, contact: ContactRecord, units: Units) -> None:
+def _curve(panel: Axes, contact: ContactNumbers, units: Units) -> None:
     """Load over approach, with the solved point."""
-    curve, solved = contact.approach_curve, contact.fe.approach
+    curve, solved = contact.approach_curve, contact.quantities["approach"]
     load, small = units.force.factor * np.array(curve.load), units.small_length.factor
     panel.plot(small * np.array(curve.hertz), load, color=BLACK, label="Hertz")
     panel.plot(small * _known(curve.corrected), load, "--", color=BLUE, label="Hertz, corrected for finite geometry")
     panel.errorbar(
-        small * solved,
+        small * solved.reference,
         units.force.number(contact.load),
-        xerr=small * solved * contact.uncertainty.approach,
+        xerr=small * solved.uncertainty,
         fmt="o",
         color=RED,
         markersize=5,
@@ -89,9 +88,9 @@ def _curve(panel: Axes, contact: ContactRecord, units: Units) -> None:
     panel.set(xlabel=f"approach, {units.small_length.name}", xlim=(0, None), ylim=(0, None))
 
 
-def _apart(panel: Axes, contact: ContactRecord, units: Units) -> None:
+def _apart(panel: Axes, contact: ContactNumbers, units: Units) -> None:
     """Departure from Hertz's approach, per cent."""
-    curve, solved = contact.approach_curve, contact.fe.approach
+    curve, solved = contact.approach_curve, contact.quantities["approach"]
     load, hertz = units.force.factor * np.array(curve.load), np.array(curve.hertz)
     corrected, half = _known(curve.corrected), _known(curve.uncertainty)
     panel.axhline(0, color=BLACK)
@@ -99,11 +98,11 @@ def _apart(panel: Axes, contact: ContactRecord, units: Units) -> None:
         low, high = (100 * (corrected * (1 + side * half) / hertz - 1) for side in (-1, 1))
         panel.fill_between(load, low, high, color=BLUE, alpha=0.2, linewidth=0)
         panel.plot(load, 100 * (corrected / hertz - 1), "--", color=BLUE)
-    ratio = solved / contact.hertz.approach
+    ratio, uncertain = (part / solved.production for part in (solved.reference, solved.uncertainty))
     panel.errorbar(
         units.force.number(contact.load),
         100 * (ratio - 1),
-        yerr=100 * ratio * contact.uncertainty.approach,
+        yerr=100 * uncertain,
         fmt="o",
         color=RED,
         markersize=5,
@@ -144,11 +143,11 @@ def convergence_plot(document: Report) -> tuple[Figure | None, str]:
     return lettered(figure), CONVERGENCE
 
 
-def _convergence(panel: Axes, contact: ContactRecord, name: str) -> None:
+def _convergence(panel: Axes, contact: ContactNumbers, name: str) -> None:
     """Distance of one quantity from its extrapolated value over the unknowns."""
     colour, mark = LOOKS.get((contact.pair, contact.geometry), (BLACK, "x"))
     unknowns, distance = _distances(contact, name)
-    study = contact.convergence[name]
+    study = contact.estimates[name]
     panel.plot(
         *(unknowns, distance, mark),
         linestyle="--" if study.richardson is None else "-",
@@ -159,7 +158,7 @@ def _convergence(panel: Axes, contact: ContactRecord, name: str) -> None:
     )
 
 
-def _short(contact: ContactRecord) -> str:
+def _short(contact: ContactNumbers) -> str:
     """The place of a contact for a narrow key."""
     return (
         place_of(contact.pair, contact.geometry, contact.bearing)
@@ -168,9 +167,9 @@ def _short(contact: ContactRecord) -> str:
     )
 
 
-def _distances(contact: ContactRecord, name: str) -> tuple[np.ndarray, np.ndarray]:
+def _distances(contact: ContactNumbers, name: str) -> tuple[np.ndarray, np.ndarray]:
     """Unknowns and distance from the limit, %, mesh by mesh."""
-    study = contact.convergence[name]
+    study = contact.estimates[name]
     values, limit = np.array(study.values), study.richardson
     unknowns = np.array([mesh.unknowns for mesh in contact.meshes])
     if limit is None:  # its own finest mesh is the limit
@@ -178,7 +177,7 @@ def _distances(contact: ContactRecord, name: str) -> tuple[np.ndarray, np.ndarra
     return unknowns, 100 * np.maximum(np.abs(values / limit - 1), SAME)
 
 
-def _formal_slope(panel: Axes, contacts: Sequence[ContactRecord], name: str) -> None:
+def _formal_slope(panel: Axes, contacts: Sequence[ContactNumbers], name: str) -> None:
     """Below all points of the contacts that have a formal order in this quantity."""
     ordered = [contact for contact in contacts if contact.formal_order[name] is not None]
     order = ordered[0].formal_order[name] if ordered else None  # one for all contacts

@@ -19,9 +19,8 @@ from typing import Any, Literal
 from matplotlib.ticker import MaxNLocator
 
 from analytic.writing import write
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.quantities import MILLI, unit_for
-from fembearing.report.contact import contact_record
 from fembearing.report.page.view import view_page
 from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
@@ -48,11 +47,11 @@ class Picture:
     @property
     def listed(self) -> PictureFile:
         """The picture as the document lists it."""
-        contact = self.contact
+        contact = self.contact.numbers
         return PictureFile(
             file=self.file.name,
             kind=self.kind,
-            pair=contact.contact.pair,
+            pair=contact.pair,
             geometry=contact.geometry,
             caption=self.caption,
             bearing=contact.bearing,
@@ -142,14 +141,15 @@ def _run(renderer: Sequence[str], jobs: bytes) -> tuple[int, list[str]] | None:
 def contact_jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
     """What the renderer draws of one contact: pressure, section and view."""
     meshes = {side: str(path) for side, path in contact.write_meshes(folder).items()}
+    found, shoulder = contact.numbers, contact.numbers.shoulder
     common = {
         **meshes,
         **_scale(contact)._asdict(),
         "title": _title(contact),
-        "hertz": [contact.hertz.semi_axis_rolling, contact.hertz.semi_axis_transverse],
-        "computed": [contact.reference.semi_axis_rolling, contact.reference.semi_axis_transverse],
-        "centroid": contact.centroid,
-        "shoulders": list(contact.shoulders),
+        "hertz": [found.hertz.semi_axis_rolling, found.hertz.semi_axis_transverse],
+        "computed": [found.reference.semi_axis_rolling, found.reference.semi_axis_transverse],
+        "centroid": 0.0 if shoulder is None else shoulder.centroid.reference,
+        "shoulders": [] if shoulder is None else shoulder.cuts,
         "half": contact.meshes[-1].pair.footprint.half,
     }
     near = "The pocket" if contact.contact.pair == "pocket" else "The race"
@@ -172,12 +172,12 @@ def contact_jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]
 
 
 def _title(contact: ContactSolution) -> str:
-    place = contact.contact.pair, contact.geometry, contact.contact.contact_angle
-    return title_of(*place, f"{contact.contact.load:.4g} N", contact.bearing)
+    found = contact.numbers
+    return title_of(found.pair, found.geometry, found.contact_angle, f"{found.load:.4g} N", found.bearing)
 
 
 def _place(contact: ContactSolution) -> str:
-    return place_of(contact.contact.pair, contact.geometry, contact.bearing)
+    return place_of(contact.numbers.pair, contact.numbers.geometry, contact.numbers.bearing)
 
 
 def _lifted(contact: ContactSolution) -> float:
@@ -191,7 +191,7 @@ def _file(contact: ContactSolution, kind: Kind, folder: Path) -> Path:
 
 def _frame(contact: ContactSolution) -> Frame:
     """Room for both ellipses."""
-    both = contact.hertz, contact.reference
+    both = contact.numbers.hertz, contact.numbers.reference
     return frame_of(
         semi_axis_rolling=max(part.semi_axis_rolling for part in both),
         semi_axis_transverse=max(part.semi_axis_transverse for part in both),
@@ -200,7 +200,7 @@ def _frame(contact: ContactSolution) -> Frame:
 
 def _scale(contact: ContactSolution) -> PressureScale:
     """Colours up to the computed peak, with round ticks."""
-    peak = contact.reference.peak_pressure
+    peak = contact.numbers.reference.peak_pressure
     unit, factor, _ = unit_for("Pa", peak)
     ticks = MaxNLocator(5).tick_values(0, peak * factor)
     return PressureScale(unit, factor, peak * factor, [float(tick) for tick in ticks if tick <= peak * factor])
@@ -208,7 +208,7 @@ def _scale(contact: ContactSolution) -> PressureScale:
 
 def _pressure_caption(contact: ContactSolution) -> str:
     """What the pressure picture shows, and how far Hertz's ellipse is off."""
-    across = contact.discrepancy["semi_axis_transverse"]
+    across = contact.numbers.quantities["semi_axis_transverse"].difference
     return (
         f"Contact pressure by finite elements, seen along the load and drawn to scale, {_place(contact)}. "
         f"Grey: mesh. Red: Hertz's ellipse, transverse semi-axis {abs(across):.1%} "
@@ -219,9 +219,9 @@ def _pressure_caption(contact: ContactSolution) -> str:
 
 def _shoulder_caption(contact: ContactSolution) -> str:
     """What a shoulder does to the contact; empty where it ends before it."""
-    if not contact.shoulder:
+    if contact.numbers.shoulder is None:
         return ""
-    lines = " ".join(shoulder_lines(contact_record(contact)))
+    lines = " ".join(shoulder_lines(contact.numbers))
     return f"{lines} Orange: the shoulder; the black ellipse has the semi-axes of the load about its centroid. "
 
 

@@ -1,13 +1,14 @@
 """Contacts by Hertz and by finite elements: their quantities, the pocket, the stress below, a series of loads."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from analytic.units import METRIC, MICRO, STIFFNESS, TANGENT, Units
+from fembearing.check.comparison import Comparison
 from fembearing.check.contact.load_series import LoadSeries
-from fembearing.check.contact.pocket_law import PocketLaw
+from fembearing.check.contact.solution import ContactNumbers, sheet_in_series
+from fembearing.check.contact.stiffness_law import PocketLaw
 from fembearing.check.contact.subsurface import SubsurfaceComparison
 from fembearing.quantities import STRESSES
-from fembearing.report.contact import ContactRecord, sheet_in_series
 from fembearing.report.phrases import (
     AXES,
     capital,
@@ -29,17 +30,16 @@ UNCERTAIN = "FE: finite elements; +-: their numerical uncertainty, 95 %; *: the 
 
 def contacts_of(document: Report, units: Units = METRIC) -> Table:
     """Every contact of a check with its verdicts."""
-    verdicts = [{name: row.verdict for name, row in document.verdicts_on(each).items()} for each in document.contacts]
-    return contact_table(list(zip(document.contacts, verdicts, strict=True)), units)
+    return contact_table(document.contacts, units)
 
 
-def contact_table(contacts: Sequence[tuple[ContactRecord, Mapping[str, str]]], units: Units = METRIC) -> Table:
+def contact_table(contacts: Sequence[ContactNumbers], units: Units = METRIC) -> Table:
     """A group for each contact with the verdicts on it, a row for each quantity."""
     heads = [Head("quantity", "name"), Head("Hertz", fixed=True), Head("FE", fixed=True), Head(OFF, fixed=True)]
     heads += [Head("+-", fixed=True), Head("order", fixed=True), Head("verdict", "verdict")]
     groups = [
-        Group(list(_rows(contact, verdicts, units)), contact_title(contact, units), _notes(contact, units))
-        for contact, verdicts in contacts
+        Group(list(_rows(contact, units)), contact_title(contact, units), _notes(contact, units))
+        for contact in contacts
     ]
     words = (
         "order: observed on the meshes; twin: corrected by half spaces on the same cells; outside: outside the "
@@ -48,43 +48,43 @@ def contact_table(contacts: Sequence[tuple[ContactRecord, Mapping[str, str]]], u
     return Table("Contacts", heads, groups, [f"{AXES}. {UNCERTAIN}; {words}."])
 
 
-def _rows(contact: ContactRecord, verdicts: Mapping[str, str], units: Units) -> Iterator[Row]:
+def _rows(contact: ContactNumbers, units: Units) -> Iterator[Row]:
     for name, quantity in quantities_of(contact, units).items():
-        study, factor = contact.convergence[name], quantity.shown.factor
+        each, study, factor = contact.quantities[name], contact.estimates[name], quantity.shown.factor
         yield [
             quantity.heading,
-            digits(contact.hertz[name], factor),
-            digits(contact.fe[name], factor),
-            _off(contact.discrepancy[name], abs(contact.discrepancy[name]) > contact.uncertainty[name]),
-            f"{contact.uncertainty[name]:.2%}",
+            digits(each.production, factor),
+            digits(each.reference, factor),
+            _off(each),
+            shown(each.relative_uncertainty, ".2%"),
             "twin" if study.corrected else shown(study.order, ".1f", absent="none"),
-            verdicts[name].removesuffix(" validity") if contact.judged else "shown",
+            each.verdict.removesuffix(" validity"),
         ]
 
 
-def _off(discrepancy: float | None, exceeds: bool) -> str:
-    return f"{shown(discrepancy, '+.2%')} {'*' if exceeds else ' '}"
+def _off(each: Comparison) -> str:
+    return f"{shown(each.discrepancy, '+.2%')} {'*' if each.resolved else ' '}"
 
 
-def _notes(contact: ContactRecord, units: Units) -> list[str]:
+def _notes(contact: ContactNumbers, units: Units) -> list[str]:
     """Hertz corrected for finite geometry, while verdicts are on Hertz as it is; shoulders, ring, and the method."""
     notes, corrected = [], contact.corrected
     if corrected is not None:
         values = ", ".join(
-            f"{quantity.name} {quantity.shown.written(corrected.values[name], '.5g')} "
-            f"({corrected.interpolation_error[name]:+.2%})"
+            f"{quantity.name} {quantity.shown.written(getattr(corrected.quantities, name), '.5g')} "
+            f"({contact.interpolation_error[name]:+.2%})"
             for name, quantity in quantities_of(contact, units).items()
         )
         notes.append(
             f"Hertz corrected for finite geometry (interpolation error, over FE - 1): {values}; stated 95 % "
-            f"uncertainty at most {max(corrected.uncertainty.values):.2%}."
+            f"uncertainty at most {max(corrected.uncertainty.values()):.2%}."
         )
     notes += shoulder_lines(contact, units)
     notes += [] if contact.ring is None else [ring_line(contact.ring, units)]
-    return [*notes, f"{capital(contact.method)}, {contact.cost.seconds:.1f} s"]
+    return [*notes, f"{capital(contact.method)}, {contact.seconds:.1f} s"]
 
 
-def pocket_table(contacts: Sequence[ContactRecord], units: Units = METRIC) -> Table | None:
+def pocket_table(contacts: Sequence[ContactNumbers], units: Units = METRIC) -> Table | None:
     """The stiffness K_pb by each model of the pocket, Hertz first; None without a cage."""
     pocket = [contact for contact in contacts if contact.pair == "pocket"]
     if not pocket:
@@ -92,7 +92,12 @@ def pocket_table(contacts: Sequence[ContactRecord], units: Units = METRIC) -> Ta
     approach, stiffness, half_spaces = units.small_length, units.stiffness, pocket[0].hertz
     models = [("half spaces, Hertz", half_spaces, None)]
     models += [
-        (place_of(each.pair, each.geometry).rpartition(", ")[2], each.fe, each.uncertainty.stiffness) for each in pocket
+        (
+            place_of(each.pair, each.geometry).rpartition(", ")[2],
+            each.reference,
+            each.quantities["stiffness"].relative_uncertainty,
+        )
+        for each in pocket
     ]
     heads = [Head("model", "name"), Head(f"K_pb, {stiffness.name}"), Head("+-"), Head("over Hertz's, less 1")]
     heads += [Head(f"approach, {approach.name}")]
@@ -121,15 +126,15 @@ def subsurface_table(below: SubsurfaceComparison, units: Units = METRIC) -> Tabl
     rows = []
     for name, metric in STRESSES.items():
         quantity = metric.in_units(units)
-        unit, uncertain = quantity.shown, below.uncertainty[name]
+        unit, each = quantity.shown, below.quantities[name]
         is_depth = name.endswith("depth")
         rows.append(
             [
                 quantity.heading,
-                digits(below.hertz[name], unit.factor, 4),
-                digits(below.fe[name], unit.factor, 4),
-                _off(below.discrepancy[name], below.exceeds_uncertainty[name]),
-                unit.written(uncertain, ".2g") if is_depth else f"{uncertain / below.fe[name]:.2%}",
+                digits(each.production, unit.factor, 4),
+                digits(each.reference, unit.factor, 4),
+                _off(each),
+                unit.written(each.uncertainty, ".2g") if is_depth else shown(each.relative_uncertainty, ".2%"),
             ]
         )
     return table_of("Greatest stress under the centre, in the lower body", heads, rows)
@@ -137,23 +142,23 @@ def subsurface_table(below: SubsurfaceComparison, units: Units = METRIC) -> Tabl
 
 def series_table(series: LoadSeries, units: Units = METRIC) -> Table:
     """Each load with approach and tangent stiffness; the law through all of them."""
-    contact, small, tangent = series.contact, units.small_length, units.tangent
+    small, tangent = units.small_length, units.tangent
     names = (f"load, {units.force.name}", f"Hertz, {small.name}", f"FE, {small.name}", OFF, "+-")
     names += (f"tangent FE, {tangent.name}", "+-", "Hertz")
     rows = [
         [
             f"{units.force.number(point.load):.4g}",
-            digits(point.hertz_approach, small.factor),
-            digits(point.approach.value, small.factor),
-            _off(point.discrepancy, abs(point.discrepancy) > point.approach.total),
-            f"{point.approach.total:.2%}",
+            digits(point.approach.production, small.factor),
+            digits(point.approach.reference, small.factor),
+            _off(point.approach),
+            shown(point.approach.relative_uncertainty, ".2%"),
             digits(point.tangent, tangent.factor, 4),
             shown(point.tangent_uncertainty, ".2%"),
             digits(point.hertz_tangent, tangent.factor, 4),
         ]
         for point in series.points
     ]
-    title = title_of(contact.pair, series.geometry, contact.contact_angle, f"{len(series.points)} loads")
+    title = title_of(series.pair, series.geometry, series.contact_angle, f"{len(series.points)} loads")
     return table_of(title, [Head(name) for name in names], rows, [*_law(series), *_series_notes(series)])
 
 

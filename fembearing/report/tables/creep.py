@@ -3,10 +3,11 @@
 from collections.abc import Iterator
 
 from analytic.words import Unit, percent_of
+from fembearing.check.comparison import Comparison
 from fembearing.check.contact.bearings import which_bearing
-from fembearing.check.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
+from fembearing.check.creep.scene_creep import CreepNumbers, RaceNumbers
 from fembearing.quantities import METRIC, Units
-from fembearing.report.phrases import speed_words
+from fembearing.report.phrases import shown, speed_words
 from fembearing.report.tables.table import Group, Head, Table
 
 BODIES = {"half-space": "half spaces", "meshed": "ball and race of true shape by finite elements"}
@@ -38,7 +39,7 @@ def creep_table(creep: CreepNumbers, units: Units = METRIC) -> Table:
     )
 
 
-def _shown(race: RaceNumbers, units: Units) -> Iterator[tuple[str, Unit, CreepQuantity]]:
+def _shown(race: RaceNumbers, units: Units) -> Iterator[tuple[str, Unit, Comparison]]:
     """Words, unit and numbers of each quantity that is not 0 by all methods."""
     length = units.length
     each = {
@@ -52,21 +53,19 @@ def _shown(race: RaceNumbers, units: Units) -> Iterator[tuple[str, Unit, CreepQu
         "power": ("power", WATT),
     }
     for key, quantity in race.quantities.items():
-        methods = quantity.formula, quantity.production, quantity.reference
+        methods = quantity.formula or 0.0, quantity.production, quantity.reference
         if max(map(abs, methods)) > quantity.uncertainty:
             yield (*each[key], quantity)
 
 
-def _row(words: str, unit: Unit, each: CreepQuantity) -> list[str]:
+def _row(words: str, unit: Unit, each: Comparison) -> list[str]:
     """Where the reference may be 0, its uncertainty stands in the unit of the quantity."""
-    change, uncertainty = each.change, each.uncertainty
-    known = change is not None
-    differs = abs(each.production - each.reference) > uncertainty
+    relative = shown(each.relative_uncertainty, ".1%", absent=f"{unit.factor * each.uncertainty:.1g}")
     return [
         f"{words}, {unit.name}" if unit.name else words,
-        *(f"{unit.factor * value:.4g}" for value in (each.formula, each.production, each.reference)),
-        f"{f'{change:+.1%}' if known else 'none'} {'*' if differs else ' '}",
-        f"{uncertainty / abs(each.reference):.1%}" if known else f"{unit.factor * uncertainty:.1g}",
+        *(shown(value, ".4g", unit.factor) for value in (each.formula, each.production, each.reference)),
+        f"{shown(each.discrepancy, '+.1%', absent='none')} {'*' if each.resolved else ' '}",
+        relative,
     ]
 
 

@@ -4,7 +4,7 @@ from analytic.words import MILLINEWTON
 from fembearing.check.contact.bearings import which_bearing
 from fembearing.check.film.scene_film import FilmNumbers
 from fembearing.quantities import METRIC, Units
-from fembearing.report.phrases import speed_words
+from fembearing.report.phrases import shown, speed_words
 from fembearing.report.tables.table import Head, Table, table_of
 
 BODIES = {"half-space": "elastic half spaces", "meshed": "ball and race of true shape, by finite elements"}
@@ -14,7 +14,7 @@ def film_table(film: FilmNumbers, units: Units = METRIC) -> Table:
     """Each quantity with the difference of what the torque takes."""
     small = units.small_length
     force = MILLINEWTON if units is METRIC else units.force
-    shown = {
+    names = {
         "central_film": ("central film", small),
         "minimum_film": ("minimum film", small),
         "rolling_force": ("rolling force", force),
@@ -33,15 +33,15 @@ def film_table(film: FilmNumbers, units: Units = METRIC) -> Table:
     rows = [
         [
             f"{words}, {unit.name}",
-            f"{each.formula * unit.factor:.4g}",
+            shown(each.formula, ".4g", unit.factor),
             f"{each.production * unit.factor:.4g}",
-            f"{each.numerical * unit.factor:.4g}",
-            f"{each.discrepancy:+.1%} {'*' if abs(each.discrepancy) > each.relative_uncertainty else ' '}",
-            f"{each.relative_uncertainty:.1%}",
-            "none" if each.order is None else f"{each.order:.1f}",
+            f"{each.reference * unit.factor:.4g}",
+            f"{shown(each.discrepancy, '+.1%')} {'*' if each.resolved else ' '}",
+            shown(each.relative_uncertainty, ".1%"),
+            shown(each.study and each.study.order, ".1f", absent="none"),
         ]
         for name, each in film.quantities.items()
-        for words, unit in (shown[name],)
+        for words, unit in (names[name],)
     ]
     title = f"Film on the {film.pair} race{which_bearing(film.bearing)}: {load}, inner ring at {speed}"
     return table_of(title, heads, rows, _notes(film, units))
@@ -49,7 +49,7 @@ def film_table(film: FilmNumbers, units: Units = METRIC) -> Table:
 
 def _notes(film: FilmNumbers, units: Units) -> list[str]:
     """What the columns are, what was solved, and how far to trust it."""
-    reach, check = film.reach, film.dissipated_force / film.rolling_force.numerical - 1
+    reach, check = film.reach, film.dissipated_force / film.quantities["rolling_force"].reference - 1
     return [
         "formula: [Nijenbanning1994], [Hamrock1977], [Biboulet2010]; model: as in the torque; +-: numerical "
         "uncertainty, 95 %; *: the difference exceeds it; order: observed on three grids. Pressure centre: its "

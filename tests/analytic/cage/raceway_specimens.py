@@ -10,11 +10,10 @@ from analytic.cage.steady import DrivenCage
 from analytic.cage.torque import driven_cage
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import contact_modulus, hertz_contact
-from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import ContactAngle, Operation
-from tests.analytic.cage.specimens import RPM
-from tests.analytic.specimens import BEARING_6205, STAMPED_CAGE
+from tests.analytic.cage.specimens import CAGED, RPM
+from tests.analytic.specimens import BEARING_6205, STAMPED_CAGE, balls_of
 from tests.contacts import STEEL
 
 ANGLE = ContactAngle(rule="solved", free=0.18)
@@ -24,8 +23,8 @@ def races_under_thrust(*, axial_load: float = 1000.0, rpm: float = 500.0, fricti
     """Raceways of a 6205 with a free contact angle of 0.18 rad."""
     speed = rpm * RPM
     operation = Operation(axial_load=np.array([axial_load]), inner_speed=np.array([speed]))
-    balls = thrust_balls(BEARING_6205, ANGLE, operation, LoadEffects())
-    return thrust_raceways(BEARING_6205, balls, point=0, inner_speed=speed, friction=(friction, friction))
+    balls = balls_of(replace(CAGED, contact_angle=ANGLE, operation=operation, spin_rule="balanced"))[0]
+    return thrust_raceways(BEARING_6205, balls, inner_speed=speed, friction=(friction, friction))
 
 
 def races_under(
@@ -48,13 +47,7 @@ def races_under(
 def cage_on(races: Raceways, *, friction: float = 0.1, **changed: Any) -> DrivenCage:
     """The stamped cage at the speed of these races, with 0.2 mm of clearance."""
     angle = float(races.contacts.contact_angle.mean())
-    moving = ball_kinematics(
-        inner_speed=races.inner_speed,
-        inner_angle=angle,
-        outer_angle=angle,
-        pitch_diameter=BEARING_6205.pitch_diameter,
-        ball_diameter=BEARING_6205.ball_diameter,
-    )
+    moving = ball_kinematics(races.inner_speed, angle, angle, BEARING_6205.pitch_diameter, BEARING_6205.ball_diameter)
     cage = driven_cage(
         BEARING_6205,
         STAMPED_CAGE,

@@ -6,33 +6,32 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.cage.drive import LARGEST_GRIP, CageDrive, RaceGrip, cage_drive, pocket_stiffness_of, resting_cage
-from analytic.cage.statistics import CageStatistics
-from analytic.cage.steady import rest_torque, sliding_torque
-from analytic.cage.torque import CageMoves, CagePart, cage_friction, resting_force
-from analytic.contact.hertz import hertz_contact
+from analytic.cage.drive import LARGEST_GRIP, CageDrive, cage_drive
+from analytic.cage.steady import hanging_torque, sliding_torque
+from analytic.cage.torque import CageMoves, CagePart, cage_friction
 from analytic.errors import InputError
-from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls
-from analytic.scene import ContactAngle, Land, Operation
+from analytic.numerics.elements import mapped
+from analytic.numerics.records import Records
+from analytic.scene import ContactAngle, Land, Operation, Scene
 from tests.analytic.cage.specimens import CAGED, RPM, with_cage
-from tests.analytic.specimens import BEARING_6205, FINISH, OIL, present
-from tests.contacts import STEEL
+from tests.analytic.specimens import FINISH, OIL, balls_of, present
 
 SPEEDS = np.array([500.0, -740.0, 0.0]) * RPM
 SOLVED = ContactAngle(rule="solved", free=0.18)
 
 
-def balls_under(radial: list[float]) -> LoadedBalls:
+def scene_under(radial: list[float]) -> Scene:
     """At SPEEDS; without radial load balls are alike."""
     thrust = np.array([1000.0, 800.0, 900.0])
     operation = Operation(axial_load=thrust, inner_speed=SPEEDS, radial_load=np.array(radial))
-    return loaded_balls(BEARING_6205, SOLVED, operation.as_series(), LoadEffects())
+    return replace(CAGED, contact_angle=SOLVED, operation=operation)
 
 
-ALIKE, AROUND = balls_under([0.0, 0.0, 0.0]), balls_under([500.0, 330.0, 140.0])
+SCENES = scene_under([0.0, 0.0, 0.0]), scene_under([500.0, 330.0, 140.0])
+ALIKE, AROUND = (balls_of(scene) for scene in SCENES)
 
 
-def driven_by(balls: LoadedBalls, friction: Any = 0.1, **cage: Any) -> CageDrive:
+def driven_by(balls: Records, friction: Any = 0.1, **cage: Any) -> CageDrive:
     return cage_drive(with_cage(CAGED, **cage), balls, friction, SPEEDS)
 
 
@@ -42,24 +41,16 @@ def led(*lead: float) -> CageDrive:
     return replace(drive, grip=replace(drive.grip, ball_lead=1e-3 * np.array(lead)))
 
 
-@pytest.mark.parametrize("balls", [ALIKE, AROUND])
-def test_free_balls_get_the_friction_of_their_load_and_the_loads_of_their_point(balls: LoadedBalls) -> None:
-    mu = np.random.default_rng(3).uniform(0.05, 0.15, balls.load.shape)
-    operation = Operation(
-        axial_load=np.array([1000.0, 800.0, 900.0]),
-        inner_speed=SPEEDS,
-        radial_load=np.zeros(3) if balls is ALIKE else np.array([500.0, 330.0, 140.0]),
-    )
-    scene = replace(CAGED, contact_angle=SOLVED, operation=operation)
+@pytest.mark.parametrize(("scene", "balls"), [(SCENES[0], ALIKE), (SCENES[1], AROUND)])
+def test_free_balls_get_the_friction_of_their_load_and_the_loads_of_their_point(scene: Scene, balls: Records) -> None:
+    load = np.moveaxis(balls["load"], -1, 0)
+    mu = np.random.default_rng(3).uniform(0.05, 0.15, load.shape)
     races = driven_by(balls, mu).races(scene, 1)
-    pulled = np.sum((mu * balls.load)[:, 1], axis=-1)
-    np.testing.assert_allclose(races.friction, pulled / balls.load[:, 1].sum(axis=-1), rtol=1e-12)
+    pulled = np.sum((mu * load)[:, 1], axis=-1)
+    np.testing.assert_allclose(races.friction, pulled / load[:, 1].sum(axis=-1), rtol=1e-12)
     assert races.inner_speed == SPEEDS[1]
-    each = races.contacts.load.shape[1] // balls.load.shape[2]
-    np.testing.assert_allclose(races.contacts.load[:, ::each], balls.load[:, 1], rtol=1e-9)
-    unloaded = replace(balls, load=balls.load * np.reshape([1.0, 0.0], (2, 1, 1)))
-    if balls is ALIKE:
-        assert driven_by(unloaded, mu).races(scene, 1).friction[1] == 0
+    each = races.contacts.load.shape[1] // load.shape[2]
+    np.testing.assert_allclose(races.contacts.load[:, ::each], load[:, 1], rtol=1e-9)
 
 
 def test_a_ball_without_grip_is_named_unless_its_ring_stands_still() -> None:
@@ -91,26 +82,6 @@ def test_a_cage_is_squeezed_where_the_lead_reaches_its_room() -> None:
     np.testing.assert_allclose(drive.room, 0.115e-3, rtol=1e-9)
 
 
-def test_a_cage_at_rest_has_the_numbers_of_its_scene() -> None:
-    for gravity, along in (("along", True), ("across", False), ("off", False)):
-        drive = driven_by(ALIKE, gravity=gravity, drag=3e-6)
-        cage = resting_cage(drive.bearing, drive.cage)
-        pull = 0.0 if gravity == "off" else 9.80665
-        assert (cage.lies_along, cage.gravity, cage.drag, drive.gravity) == (along, pull, 3e-6, pull)
-        assert cage.pitch_radius == pytest.approx(39.01e-3 / 2, rel=1e-12)
-        # Without gravity a thousandth of the weight presses the film.
-        np.testing.assert_allclose(resting_force(drive), 6.58e-3 * max(pull, 9.80665e-3), rtol=1e-12)
-
-
-def test_the_stiffness_of_a_pocket_is_that_of_hertz_unless_it_is_given() -> None:
-    drive = driven_by(ALIKE)
-    curvature = 2 / 7.94e-3 - 2 / 8.14e-3
-    modulus = STEEL.youngs_modulus / (2 * (1 - STEEL.poisson_ratio**2))
-    hertz = hertz_contact(curvature_x=curvature, curvature_y=curvature, load=2.0, modulus=modulus)
-    assert pocket_stiffness_of(drive.bearing, drive.cage) == pytest.approx(float(hertz.stiffness), rel=1e-9)
-    assert pocket_stiffness_of(drive.bearing, replace(drive.cage, pocket_stiffness=7.7e9)) == 7.7e9
-
-
 def test_balls_squeeze_no_harder_than_their_races_hold_them_where_that_is_known() -> None:
     drive, mu = led(0.203, -0.21, 0.1), np.full(3, 0.1)
     free = replace(drive, grip=replace(drive.grip, friction=None)).squeezing_force(mu)
@@ -126,13 +97,8 @@ def part_of(drive: CageDrive) -> CagePart:
 def test_a_squeezed_cage_also_carries_its_weight() -> None:
     drive = led(0.203, -0.21, 0.1)
     part, mu = part_of(drive), np.full(3, 0.1)
-    rest = rest_torque(
-        friction_coefficient=0.1,
-        cage_mass=6.58e-3,
-        ball_rate=drive.ball_rate,
-        ball_radius=3.97e-3,
-        contact_angle=drive.contact_angle,
-    )
+    surfaces = 3.97e-3 * drive.ball_rate
+    rest = mapped(hanging_torque, 0.1, 6.58e-3 * 9.80665, surfaces, drive.contact_angle)
     force = 9 * drive.squeezing_force(mu)[:, 0]
     squeezed = sliding_torque(friction_coefficient=0.1, force=force, ball_rate=drive.ball_rate, ball_radius=3.97e-3)
     np.testing.assert_allclose(part.torque, rest + squeezed, rtol=1e-9)
@@ -148,51 +114,11 @@ def test_a_squeezed_cage_also_carries_its_weight() -> None:
     assert [part.row(point).state for point in range(3)] == ["squeezed", "squeezed", "rest"]
 
 
-def statistics(**changed: Any) -> CageStatistics:
-    values: dict[str, Any] = {
-        "torque": 3e-4, "torque_interval": (2e-4, 5e-4), "drag_torque": 0.0, "damping_torque": 1e-5,
-        "signed_moment": 4e-6, "mean_force": 16.0, "max_force": 21.0, "max_force_interval": (20.0, 23.0),
-        "block_maxima": (21.0,), "block": 1e-3, "duration": 0.02, "state": "whirl", "whirl_speed": 31.0,
-        "wobble": 1e-6, "start": "whirl", "other": None,
-    }  # fmt: skip
-    return CageStatistics(**(values | changed))
-
-
-def moved(*states: str | None, part: CagePart | None = None, **changed: Any) -> CagePart:
-    """A part whose cage moved in these states; None: by the closed form."""
-    motion = tuple(None if state is None else statistics(state=state) for state in states)
-    return replace(part_of(led(0.0, 0.0, 0.0)) if part is None else part, motion=motion, **changed)
-
-
-def test_a_whirl_on_given_balls_uses_the_grip_of_its_number() -> None:
-    part = moved("whirl", "rest", None, grip_number=np.array([0.31, 0.52, 0.73]), grip_share=np.array([0.1, 0.2, 0.3]))
-    assert part.is_moving_given_balls.tolist() == [True, False, False]
-    np.testing.assert_array_equal(part.used_grip, [0.31, 0.2, 0.3])
-    free = replace(part, race_excess=np.array([1e-5, np.nan, np.nan]))
-    assert free.is_moving_given_balls.tolist() == [False, False, False]
-
-
-def test_half_of_both_intervals_is_uncertain() -> None:
-    motion = (statistics(race_excess_interval=(1e-5, 7e-5)), None, statistics())
-    part = replace(part_of(led(0.0, 0.0, 0.0)), motion=motion)
-    np.testing.assert_allclose(part.half_interval, [1.8e-4, 0.0, 1.5e-4], rtol=1e-12)
-
-
-def test_some_points_keep_their_order_and_their_motion() -> None:
-    part = moved("whirl", "rest", None, torque=np.array([1.0, 2.0, 3.0]))
-    some = part.of_points(np.array([2, 0]))
-    assert some.torque.tolist() == [3.0, 1.0]
-    assert some.motion == (part.motion[2], part.motion[0])
-    assert some.provenance == part.provenance
-
-
 def test_the_grip_of_a_race_counts_loads_above_0_alone() -> None:
-    grip: RaceGrip = driven_by(AROUND, 0.07).grip
-    np.testing.assert_allclose(present(grip.friction), 0.07 * AROUND.load, rtol=1e-12)
-    unloaded = replace(AROUND, load=np.where(np.arange(9) == 4, 0.0, AROUND.load))
+    unloaded = AROUND.copy()
+    unloaded["load"][:, 4] = 0.0
     friction = present(driven_by(unloaded, np.where(np.arange(9) == 4, np.nan, 0.07)).grip.friction)
-    assert np.all(friction[..., 4] == 0)
-    assert np.all(friction[..., 5] > 0)
+    np.testing.assert_allclose(friction, 0.07 * np.moveaxis(unloaded["load"], -1, 0), rtol=1e-12)
 
 
 OILED = replace(CAGED, friction_coefficient=None, lubricant=OIL, surface=FINISH, contact_angle=SOLVED)

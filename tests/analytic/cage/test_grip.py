@@ -2,10 +2,8 @@
 
 from dataclasses import dataclass, replace
 
-import hypothesis.strategies as st
 import numpy as np
 import pytest
-from hypothesis import given
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, linprog
 
@@ -13,19 +11,16 @@ from analytic.cage.drive import (
     SQUEEZE_SPREAD,
     ball_lead,
     carried_force,
-    grip_number,
     race_grip,
     squeeze_force,
-    used_share,
 )
-from analytic.cage.steady import whirl_force, whirl_speed
 from analytic.errors import InputError
-from analytic.loads.balls import LoadEffects, loaded_balls
 from analytic.loads.kinematics import ball_kinematics
-from analytic.scene import Array, ContactAngle, Operation
-from tests.analytic.specimens import BEARING_6205, present
+from analytic.scene import Array, ContactAngle, Decision, Operation
+from tests.analytic.cage.specimens import CAGED
+from tests.analytic.specimens import BEARING_6205, balls_of, present
 
-WITHOUT_INERTIA = LoadEffects(centrifugal=False, gyroscopic=False)
+WITHOUT_INERTIA: dict[str, Decision] = {"centrifugal": "off", "gyroscopic": "off"}
 SOLVED = ContactAngle(rule="solved", free=0.18)
 PITCH_RADIUS = BEARING_6205.pitch_diameter / 2
 
@@ -68,22 +63,6 @@ def test_pocket_friction_of_1_leaves_the_outer_race_free() -> None:
         carried_force(inner_grip=-1.0, outer_grip=5.0, pocket_friction=0.1)
 
 
-@given(clearance=st.floats(1e-6, 1e-3), speed=st.floats(1.0, 1e3), grip=st.floats(0.1, 1e3))
-def test_a_grip_number_of_1_is_a_whirl_that_uses_all_of_the_grip(clearance: float, speed: float, grip: float) -> None:
-    """By the mass of a cage for which m (w_b r/nabla + w_c)^2 nabla is what nine balls carry; then half and twice."""
-    radius, orbit = 3.97e-3, 0.17 * speed
-    mass = 9 * grip / (speed * radius / clearance + orbit) ** 2 / clearance
-    whirl = whirl_speed(ball_speed=speed, ball_radius=radius, contact_angle=0.0, half_clearance=clearance)
-    force = whirl_force(cage_mass=mass, whirl=whirl, orbit_speed=orbit, half_clearance=clearance)
-    number = grip_number(whirl_force=np.array([0.5, 1.0, 2.0]) * force, ball_count=9, carried_force=grip)
-    np.testing.assert_allclose(number, [0.5, 1.0, 2.0], rtol=1e-12)  # round-off
-
-
-def test_without_grip_any_force_is_too_much() -> None:
-    assert grip_number(whirl_force=3.0, ball_count=9, carried_force=0.0) == np.inf
-    np.testing.assert_array_equal(used_share([0.0, 2.0, 3.0], [0.0, 0.0, 4.0]), [0.0, np.inf, 0.75])
-
-
 def angle_waves(angles: Array, azimuth: Array) -> Array:
     """The contact angle between the balls, by its waves around the bearing."""
     waves = np.fft.rfft(angles) / angles.size
@@ -103,20 +82,13 @@ def test_the_lead_is_that_of_a_ball_that_goes_round(
     operation = Operation(
         axial_load=np.array([1000.0]), inner_speed=np.array([52.36]), radial_load=radial, moment=moment, tilt="free"
     ).as_series()
-    balls = loaded_balls(BEARING_6205, SOLVED, operation, WITHOUT_INERTIA)
-    lead = float(ball_lead(balls.motion.cage_speed, pitch_radius=PITCH_RADIUS)[0])
-    angles = balls.contact_angle.mean(axis=0)[0]
+    balls = balls_of(replace(CAGED, contact_angle=SOLVED, operation=operation), **WITHOUT_INERTIA)
+    lead = float(ball_lead(balls["motion"]["cage_speed"], pitch_radius=PITCH_RADIUS)[0])
+    angles = balls["angle"][0].mean(axis=-1)
 
     def orbit_rate(azimuth: Array) -> Array:
         angle = angle_waves(angles, azimuth)
-        motion = ball_kinematics(
-            inner_speed=1.0,
-            inner_angle=angle,
-            outer_angle=angle,
-            pitch_diameter=2 * PITCH_RADIUS,
-            ball_diameter=7.94e-3,
-        )
-        return motion.cage_speed
+        return np.array([ball_kinematics(1.0, al, al, 2 * PITCH_RADIUS, 7.94e-3).cage_speed for al in angle])
 
     turn = solve_ivp(
         lambda _, azimuth: orbit_rate(azimuth),
@@ -307,12 +279,12 @@ def test_creep_that_saturates_stays_within_the_spread(
 def test_the_creep_stiffness_is_that_of_a_long_ellipse() -> None:
     """G a b C11 at 1000 N and a contact angle of 0.18 rad; 37.9 and 41.9 kN by an independent code."""
     operation = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([52.36])).as_series()
-    balls = loaded_balls(BEARING_6205, ContactAngle(rule="given", value=0.18), operation, WITHOUT_INERTIA)
+    balls = balls_of(replace(CAGED, operation=operation), **WITHOUT_INERTIA)
     shear, poisson = 206e9 / (2 * 1.3), 0.3
-    a, b = (np.ravel(axis) for axis in (balls.contact.semi_axis_x, balls.contact.semi_axis_y))
+    a, b = balls["semi_axis_rolling"][0, 0], balls["semi_axis_transverse"][0, 0]
     expected = shear * a * b * np.pi**2 / (4 * (1 - poisson))
     np.testing.assert_allclose(expected, [37.9e3, 41.9e3], rtol=2e-3)  # their digits
-    grip = race_grip(balls, 0.1, pitch_radius=PITCH_RADIUS)
+    grip = race_grip(BEARING_6205, balls, 0.1)
     np.testing.assert_allclose(grip.creep_stiffness, expected.mean(), rtol=1e-9)  # round-off
     assert grip.ball_lead == 0
 
@@ -320,12 +292,13 @@ def test_the_creep_stiffness_is_that_of_a_long_ellipse() -> None:
 def test_the_weakest_direction_and_race_count() -> None:
     """The inertia of the balls loads the outer race more, and friction in the pocket the inner one of a braked ball."""
     operation = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([1500.0]), radial_load=400.0).as_series()
-    balls = loaded_balls(BEARING_6205, SOLVED, operation, LoadEffects())
-    assert np.all(balls.load[1] > 1.02 * balls.load[0])
-    grip = race_grip(balls, 0.1, pitch_radius=PITCH_RADIUS)
-    carried = grip.carried(np.array([0.3]))
-    assert carried is not None
-    np.testing.assert_allclose(carried, 2 * 0.1 * balls.load[0] / 1.3, rtol=1e-12)  # round-off
-    turned = race_grip(replace(balls, load=balls.load[::-1]), 0.1, pitch_radius=PITCH_RADIUS)
-    np.testing.assert_allclose(present(turned.carried(np.array([0.3]))), carried, rtol=1e-12)
-    assert race_grip(balls, None, pitch_radius=PITCH_RADIUS).carried(np.array([0.3])) is None
+    balls = balls_of(replace(CAGED, contact_angle=SOLVED, operation=operation))
+    inner, outer = np.moveaxis(balls["load"], -1, 0)
+    assert np.all(outer > 1.02 * inner)
+    carried = present(race_grip(BEARING_6205, balls, 0.1).carried(np.array([0.3])))
+    np.testing.assert_allclose(carried, 2 * 0.1 * inner / 1.3, rtol=1e-12)  # round-off
+    turned = balls.copy()
+    turned["load"] = balls["load"][..., ::-1]
+    other = race_grip(BEARING_6205, turned, 0.1).carried(np.array([0.3]))
+    np.testing.assert_allclose(present(other), carried, rtol=1e-12)
+    assert race_grip(BEARING_6205, balls, None).carried(np.array([0.3])) is None

@@ -9,11 +9,10 @@ import pytest
 from analytic import friction_torque
 from analytic.cage.drive import cage_drive
 from analytic.errors import InputError
-from analytic.loads.balls import LoadEffects, loaded_balls
 from analytic.scene import ContactAngle, Land, Operation, Scene
 from fembearing.plain_types import plain
 from tests.analytic.cage.specimens import CAGED, RPM, with_cage
-from tests.analytic.specimens import effect_of, present
+from tests.analytic.specimens import balls_of, effect_of, present
 
 FAST = replace(CAGED, operation=Operation(axial_load=np.array([1000.0]), inner_speed=np.array([500.0]) * RPM))
 
@@ -43,7 +42,7 @@ def test_a_whirl_states_its_share_of_the_grip() -> None:
     np.testing.assert_allclose(cage.grip_number, expected, rtol=1e-2)  # free balls turn 0.4 % faster
     np.testing.assert_allclose(cage.grip_share, cage.grip_number, rtol=0.02)  # the motion against its closed form
     assert np.all(result.numerical_uncertainty >= cage.half_interval / result.torque.total)
-    point: Any = plain(result.row(0).cage)
+    point: Any = plain(present(result.cage).row(0))
     assert (point["grip_number"], point["grip_share"]) == (cage.grip_number[0], cage.grip_share[0])
     motion = present(cage.motion[0])
     assert (point["whirl_speed"], point["wobble"], point["ball_lead"]) == (motion.whirl_speed, motion.wobble, 0.0)
@@ -59,7 +58,7 @@ def test_the_grip_of_fast_and_light_bearings(
     thrust: float, rpm: float, friction: float, carried: float, number: float
 ) -> None:
     operation = Operation(axial_load=np.array([thrust]), inner_speed=np.array([rpm * RPM])).as_series()
-    balls = loaded_balls(FAST.bearing, ContactAngle(rule="solved", free=0.18), operation, LoadEffects())
+    balls = balls_of(replace(FAST, contact_angle=ContactAngle(rule="solved", free=0.18), operation=operation))
     drive = cage_drive(FAST, balls, friction, operation.inner_speed)
     mu = np.array([0.1])
     np.testing.assert_allclose(9 * np.min(present(drive.grip.carried(mu))), carried, rtol=0.005)  # digits
@@ -86,7 +85,7 @@ def test_a_whirl_that_needs_more_grip_than_there_is_is_warned_of(start: Any, sta
 
 def test_without_the_friction_of_the_races_a_whirl_is_not_known() -> None:
     """Neither spin nor conformity: nothing slides on the races, and no coefficient is computed."""
-    balls = loaded_balls(FAST.bearing, FAST.contact_angle, FAST.operation.as_series(), LoadEffects())
+    balls = balls_of(FAST)
     drive = cage_drive(FAST, balls, None, FAST.operation.inner_speed)
     assert np.all(np.isnan(drive.grip_number(np.array([0.1]))))
     with pytest.raises(InputError, match=r"no \[cage\] to drive"):
@@ -138,7 +137,7 @@ def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     assert not result.is_on("cage_dynamics")
     (warning,) = (warning for warning in result.warnings if "wider pockets avoid this" in warning)
     assert "at 500 rpm" in warning
-    point: Any = plain(result.row(0).cage)
+    point: Any = plain(present(result.cage).row(0))
     assert (point["state"], point["max_force"], point["whirl_speed"]) == ("squeezed", None, None)
     # Creep alone would give some 170 N (test_grip.py), so every ball slides: 2 mu Q/1.1, up to the weight of the cage
     np.testing.assert_allclose(cage.grip_share, 1.0, rtol=2e-4)

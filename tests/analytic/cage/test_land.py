@@ -1,17 +1,12 @@
 """The motion of a cage that is guided by the land of a ring."""
 
 from dataclasses import replace
-from inspect import unwrap
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
-from analytic.cage import motion as kernel
-from analytic.cage.motion import TOTALS, CageMotion
-from analytic.cage.pocket import Body, friction_force
+from analytic.cage.motion import CageMotion
 from analytic.cage.steady import LandGuidance
-from analytic.numerics.records import as_record
 from tests.analytic.cage.specimens import CAGE, WEIGHTLESS, W
 
 
@@ -90,40 +85,3 @@ def test_friction_of_the_land_acts_at_the_radius_of_the_rim(outside: bool) -> No
     arm = radius - gap if outside else radius + gap
     push = passed.land_power / (900.0 * radius)  # friction force, as the cage hardly moves
     np.testing.assert_allclose(motion.angular_velocity[2] * 1e-3, push * arm * motion.time, rtol=0.02)
-
-
-@pytest.mark.parametrize("outside", [False, True])
-@pytest.mark.parametrize("place", [(0.061e-3, -0.043e-3), (-0.022e-3, 0.031e-3), (0.004e-3, 0.009e-3)])
-def test_weight_drag_and_both_rims_are_those_of_vectors(outside: bool, place: tuple[float, float]) -> None:
-    """A tilted cage that moves and turns; it touches with both rims, with one, or with none."""
-    land = LandGuidance(radius=17e-3, half_clearance=0.05e-3, outside=outside, speed=W, half_width=5e-3)
-    cage = replace(CAGE, land=land, drag=3e-4, gravity=(1.1, -2.3, 9.1))
-    constants, totals = as_record(CageMotion(cage, begin="sudden")._constants), as_record(np.zeros(1, TOTALS)[0])
-    turn = Rotation.from_rotvec([3e-3, -2e-3, 0.6]).as_matrix()
-    centre, velocity, spin = np.array([*place, 0.02e-3]), np.array([0.03, -0.07, 0.11]), np.array([3.0, -5.0, 21.0])
-    body = Body(tuple(centre), tuple(velocity), tuple(turn.ravel()), tuple(spin))
-    found = unwrap(kernel._loads_beside_balls)(constants, body, 0.7, 0.013, totals)
-    along = cage.drag / cage.pitch_radius**2
-    force = cage.mass * np.array(cage.gravity) - along * velocity
-    moment, rubbed, depths = np.array([0.0, 0.0, -cage.drag * spin[2]]), 0.0, [0.0]
-    for side in (1, -1):
-        rim = (centre + side * land.half_width * turn[:, 2]) * [1, 1, 0]
-        depths.append(max(float(np.linalg.norm(rim)) - land.half_clearance, 0.0))
-        outward = rim / np.linalg.norm(rim)
-        touching = (1 if outside else -1) * land.radius * outward
-        arm = touching - centre * [1, 1, 0] + side * land.half_width * turn[2, 2] * np.array([0, 0, 1])
-        past = np.cross([0, 0, 0.7 * land.speed], touching) - velocity - np.cross(spin, arm)
-        sliding = past - (past @ outward) * outward
-        normal = cage.stiffness * depths[-1] ** 1.5
-        rubbing = friction_force(normal, sliding, friction_coefficient=0.1, smoothing=float(constants.smoothing))
-        force = force - normal * outward + rubbing
-        moment = moment + np.cross(arm, rubbing - normal * outward)
-        rubbed += rubbing @ sliding
-    assert np.count_nonzero(depths) == {0.061e-3: 2, -0.022e-3: 1, 0.004e-3: 0}[place[0]]
-    close = 1e-9 * max(float(np.abs(force).max()), 1.0)  # depths of um are differences of 0.1 mm
-    np.testing.assert_allclose(found.force, force, rtol=0, atol=close)
-    np.testing.assert_allclose(found.moment, moment, rtol=0, atol=0.02 * close)
-    assert found.deepest == pytest.approx(max(depths), rel=1e-9)
-    assert totals.land_power == pytest.approx(0.013 * rubbed, rel=1e-9)
-    braked = along * velocity @ velocity + cage.drag * spin[2] ** 2
-    assert totals.drag_power == pytest.approx(0.013 * braked, rel=1e-12)

@@ -9,9 +9,9 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 from analytic.cage.motion import CageMotion
-from analytic.cage.pocket import friction_force, normal_force, penetration
 from analytic.cage.steady import DrivenCage, LandGuidance
-from tests.analytic.cage.specimens import CAGE, RATE, TABLE_1, WEIGHTLESS, W
+from tests.analytic.cage.pocket_by_vectors import friction_force, normal_force, penetration
+from tests.analytic.cage.specimens import CAGE, RATE, WEIGHTLESS, W
 
 
 def ball_forces(cage: DrivenCage, time: float, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -103,22 +103,6 @@ def test_motion_agrees_with_a_library_solver(change: dict[str, Any]) -> None:
     assert errors[1] < 0.4 * errors[0]  # second order, or slightly less where friction changes its direction
 
 
-@pytest.mark.parametrize("pocket", [TABLE_1, {"half_clearance": 0.1e-3, "centre_offset": 0.4e-6}])
-def test_forces_agree_with_the_formulas(pocket: dict[str, Any]) -> None:
-    """In a rotated cage; some balls touch both shells at once, or are near the far side of both."""
-    cage = replace(CAGE, restitution=1.0, **pocket)
-    motion = thrown(cage)
-    deepest = 0.0
-    while deepest < 1.0:
-        motion.advance(2e-5)
-        deepest = np.abs(motion.forces()).max()
-    turn = Rotation.from_matrix(motion.orientation)
-    y = np.concatenate([motion.centre, motion.velocity, turn.as_quat(), turn.inv().apply(motion.angular_velocity)])
-    expected, _ = ball_forces(cage, motion.time, y)
-    # Tolerance: depths of um are differences of places of cm
-    np.testing.assert_allclose(motion.forces(), expected.sum(axis=1), atol=1e-6 * deepest)
-
-
 def test_energy_balance() -> None:
     """The work of the balls is the energy of the cage and the losses by friction, impacts, drag and land."""
     land = LandGuidance(radius=17e-3, half_clearance=0.08e-3, outside=False, speed=0.0, half_width=5e-3)
@@ -134,18 +118,6 @@ def test_energy_balance() -> None:
     assert min(lost) > 0
     gained = motion.kinetic_energy - before
     np.testing.assert_allclose(gained, given - sum(lost), atol=5e-3 * given)  # error of the step
-
-
-def test_friction_near_rest_agrees_with_the_pocket_formula() -> None:
-    """The cage slides on its balls with about v0, where tanh is neither linear nor constant."""
-    cage = replace(CAGE, restitution=1.0, gravity=(0.0, 0.0, -9.80665), orbit_speed=0.0, ball_speed=0.0)
-    motion = CageMotion(cage, begin="rest")
-    for sliding in (0.3e-3, 0.8e-3, 2.9e-3):
-        motion.launch(velocity=np.array([0.6 * sliding, 0.8 * sliding, 0.0]), angular_velocity=np.zeros(3))
-        turn = Rotation.from_matrix(motion.orientation)
-        y = np.concatenate([motion.centre, motion.velocity, turn.as_quat(), turn.inv().apply(motion.angular_velocity)])
-        expected, _ = ball_forces(cage, motion.time, y)
-        np.testing.assert_allclose(motion.forces(), expected.sum(axis=1), atol=1e-6 * np.abs(expected).max())
 
 
 @pytest.mark.parametrize("axis", ["axial", "radial"])

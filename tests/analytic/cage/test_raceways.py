@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from scipy.optimize import root
 
-from analytic.cage import raceways
 from analytic.cage.raceways import (
     AZIMUTH,
     BALL,
@@ -18,7 +17,6 @@ from analytic.cage.raceways import (
     STRIPS,
     PocketPush,
     Raceways,
-    Traction,
     interpolate,
     pressed_contacts,
     ring_raceways,
@@ -29,15 +27,15 @@ from analytic.cage.raceways import (
 from analytic.contact.geometry import RACES
 from analytic.errors import InputError
 from analytic.loads.ball_balance import grooves_of, settled_ball
-from analytic.loads.balls import LoadEffects, ring_balls, thrust_balls
-from analytic.scene import Array, Operation
+from analytic.loads.turning import Inertia
+from analytic.scene import Array, Operation, Scene
 from tests.analytic.cage.raceway_specimens import ANGLE, races_under, races_under_thrust
-from tests.analytic.cage.specimens import W
-from tests.analytic.specimens import BEARING_6205
+from tests.analytic.cage.specimens import CAGED, W
+from tests.analytic.specimens import BEARING_6205, balls_of
 from tests.refusals import refuses
 
 RADIUS, PITCH = BEARING_6205.ball_radius, BEARING_6205.pitch_diameter / 2
-STANDING = LoadEffects(centrifugal=False, gyroscopic=False)
+STANDING = Inertia(centrifugal=False, gyroscopic=False)
 
 
 def carried(k: Array) -> Array:
@@ -48,6 +46,10 @@ def carried(k: Array) -> Array:
 def at(*, load: float, moment: float = 0.0, axial: float = 1000.0) -> Operation:
     speed, thrust = np.array([W]), np.array([axial])
     return Operation(axial_load=thrust, inner_speed=speed, radial_load=load, moment=moment, tilt="free")
+
+
+def scene_at(operation: Operation) -> Scene:
+    return replace(CAGED, contact_angle=ANGLE, operation=operation, spin_rule="balanced")
 
 
 def balance(races: Raceways, speeds: Array, strips: int, *, azimuth: int = 0) -> tuple[Array, float]:
@@ -82,16 +84,6 @@ def balance(races: Raceways, speeds: Array, strips: int, *, azimuth: int = 0) ->
     return total + gyroscopic * np.array([0, -speeds[2], speeds[1], 0]), lost
 
 
-@pytest.mark.parametrize("k", [0.3, 1.1, 4.0])
-def test_the_law_of_creep_is_that_of_a_marched_strip(k: float) -> None:
-    """Kalker's algorithm: shear grows evenly with slip from the leading edge, and the limit sqrt(1 - x^2) cuts it."""
-    cells, shear, total = 4000, 0.0, 0.0
-    for limit in np.sqrt(1 - (-1 + (np.arange(cells) + 0.5) * 2 / cells) ** 2):
-        shear = min(shear + k * 2 / cells, limit)
-        total += shear * 2 / cells
-    np.testing.assert_allclose(total / (np.pi / 2), carried(np.array(k)), rtol=1e-3)  # the cells at the edge
-
-
 def test_creep_of_a_6205_agrees_with_independent_numbers() -> None:
     """s_c/u at 1000 N and 0.18 rad, mu 0.1: numbers of another program, in which G and C11 are written out."""
     load = 1000 / 9 / np.sin(0.18)
@@ -122,42 +114,6 @@ def test_the_compiled_tractions_are_those_of_the_formulas() -> None:
     for index, change in enumerate(1e-8 * np.eye(4)):
         difference = (both(speeds - change)[0] - both(speeds + change)[0]) / 2e-8
         np.testing.assert_allclose(fall[index], difference, rtol=0, atol=1e-6 * abs(fall).max())  # of differences
-
-
-def test_four_equations_are_solved() -> None:
-    random = np.random.default_rng(6)
-    for _ in range(5):
-        half, skew = random.normal(size=(2, 4, 4))
-        matrix, right = half @ half.T + skew - skew.T + np.eye(4), random.normal(size=4)
-        found = raceways._solved(tuple(map(tuple, matrix.tolist())), tuple(right.tolist()))
-        np.testing.assert_allclose(matrix @ found, right, atol=1e-10)  # round-off, times the condition
-
-
-def test_newtons_change_takes_away_what_is_missing() -> None:
-    """To first order: tractions that fall as they say, inertia, and the gyroscopic moment of the ball's orbit."""
-    random, mass, inertia, span = np.random.default_rng(7), 2.1e-3, 0.83e-3, 3.7e-3
-    inner, outer = (Traction(*random.uniform(0.3, 1.7, 14).tolist()) for _ in range(2))
-    fall = np.zeros((4, 4))
-    fall[np.triu_indices(4)] = np.add(inner[4:], outer[4:])
-    fall += np.triu(fall, 1).T
-    speeds, missing = random.normal(size=4), random.normal(size=4)
-
-    def momentum(v: Array) -> Array:
-        gyroscopic = inertia * v[0] / PITCH * np.array([0, -v[2], v[1], 0])
-        return np.array([mass, inertia, inertia, inertia]) * v + span * (fall @ v - gyroscopic)
-
-    change = raceways._newton_change(
-        inner,
-        outer,
-        (mass, inertia),
-        (inertia * speeds[0] / PITCH, inertia / PITCH),
-        (float(speeds[1]), float(speeds[2])),
-        span,
-        tuple(missing.tolist()),
-    )
-    step = 1e-5 * np.array(change)
-    gained = (momentum(speeds + step) - momentum(speeds - step)) / 2e-5
-    np.testing.assert_allclose(gained, missing, rtol=0, atol=1e-8)  # quadratic in the speeds: round-off
 
 
 def test_between_azimuths_a_contact_is_on_the_straight_line() -> None:
@@ -196,40 +152,13 @@ def test_a_push_turns_the_contacts_and_changes_their_size(push: tuple[float, flo
         assert contact.creep == pytest.approx(0.37 * creep + LEAST_CREEP, rel=1e-9)
 
 
-def test_a_step_of_a_ball_ends_in_balance() -> None:
-    """Momentum by the tractions at its end; what the ring does, slip loses, and how much of the grip is used."""
-    races = races_under((381.0, 297.0), (0.31, 0.22), inner_speed=W, friction=0.13)
-    ball, step = races._rolling_ball(), 3.1e-8
-    for name, more in zip(SPEEDS, (0.011, -0.007, 0.019, -0.023), strict=True):
-        ball[name] += more
-    before = np.array([ball[name] for name in SPEEDS])
-    end = races._rolled(ball, 1, step)[0]
-    after = np.array([end[name] for name in SPEEDS])
-    np.testing.assert_array_equal(after, [ball[name] for name in SPEEDS])
-    assert end["azimuth"] == pytest.approx(step * before[0] / PITCH, rel=1e-12)
-    force, lost = balance(races, after, STRIPS)
-    inner, _ = balance(replace(races, friction=(0.13, 0.0)), after, STRIPS)
-    outer, _ = balance(replace(races, friction=(0.0, 0.13)), after, STRIPS)
-    mass = BEARING_6205.ball_mass * np.array([1.0, 0.4, 0.4, 0.4])
-    assert np.abs(mass * (after - before)).min() > 0.01 * step * np.abs(force).max()
-    close = 1e-3 * step * races.limits.max()  # Newton's last change leaves some 1e-4 of the creep
-    np.testing.assert_allclose(mass * (after - before), step * force, rtol=0, atol=close)
-    assert end["slip"] == pytest.approx(step * lost, rel=1e-3)
-    gyroscopic = 0.4 * BEARING_6205.ball_mass * after[0] / PITCH * np.array([0, -after[2], after[1], 0])
-    inner, outer = inner - gyroscopic, outer - gyroscopic
-    assert end["ring_work"] == pytest.approx(step * W * (PITCH * inner[0] + RADIUS * inner[3]), rel=1e-3)
-    grip = abs(inner[0]) / races.limits[0, 0], abs(outer[0]) / races.limits[1, 0]
-    assert min(grip) > 0.1
-    assert end["grip"] == pytest.approx(max(grip), rel=0.02)  # before Newton's last change of 2 % of the creep
-
-
 def test_a_step_of_a_ball_keeps_its_energy_accounts() -> None:
     """The energy of its motion grows by what ring and pocket give, less what slip and the method itself lose."""
     races = races_under((381.0, 297.0), (0.31, 0.22), inner_speed=W, friction=0.13)
-    ball, step = races._rolling_ball(), 3.1e-8
-    interpolate(races.table, ball)
-    for name, more in zip(SPEEDS, (0.011, -0.007, 0.019, -0.023), strict=True):
-        ball[name] += more
+    ball, step = np.zeros(1, BALL)[0], 3.1e-8
+    ball["contacts"] = races.table[0]
+    for name, speed, more in zip(SPEEDS, races.alone.speeds[0], (0.011, -0.007, 0.019, -0.023), strict=True):
+        ball[name] = speed + more
     before = np.array([ball[name] for name in SPEEDS])
     mass = BEARING_6205.ball_mass * np.array([1.0, 0.4, 0.4, 0.4])
     impulses = mass * (0.031, -0.017, 0.023, 0.029)
@@ -272,7 +201,7 @@ def test_balls_alone_agree_with_another_program(
 
 def test_a_force_on_a_ball_changes_its_loads_as_the_equilibrium_says() -> None:
     """Against the ball settled between grooves that stand still, by differences; with centrifugal force."""
-    races = ring_raceways(BEARING_6205, ANGLE, at(load=310.0), LoadEffects(gyroscopic=False), friction=(0.1, 0.1))
+    races = ring_raceways(BEARING_6205, ANGLE, at(load=310.0), friction=(0.1, 0.1), inertia=Inertia(gyroscopic=False))
     contacts, point = races.contacts, 17
     load, angle = contacts.load[:, point], contacts.contact_angle[:, point]
     stiffness = contacts.contact.stiffness[:, point]
@@ -318,7 +247,7 @@ def test_a_race_that_the_pocket_unloads_leaves_its_share_to_the_other() -> None:
 @pytest.mark.parametrize(("load", "moment", "rolling"), [(1000.0, 0.0, 199e-6), (0.0, 2.0, 82.6e-6)])
 def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, moment: float, rolling: float) -> None:
     """Against the orbit speed of a ball in balance at each azimuth, and a ball that rolls at the contacts' centres."""
-    races = ring_raceways(BEARING_6205, ANGLE, at(load=load, moment=moment), STANDING, friction=(0.1, 0.1))
+    races = ring_raceways(BEARING_6205, ANGLE, at(load=load, moment=moment), friction=(0.1, 0.1), inertia=STANDING)
     points = range(0, races.contacts.load.shape[1], 12)
     speeds = [
         root(lambda v, p: balance(races, v, 100, azimuth=p)[0], races.alone.speeds[p], args=(p,), tol=1e-9).x[0]
@@ -334,9 +263,9 @@ def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, momen
 
 def test_the_ring_without_radial_load_has_the_races_of_thrust() -> None:
     operation = at(load=0.0)
-    balls = thrust_balls(BEARING_6205, ANGLE, operation, LoadEffects())
-    thrust = thrust_raceways(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.07))
-    ring = ring_raceways(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.07))
+    balls = balls_of(scene_at(operation))[0]
+    thrust = thrust_raceways(BEARING_6205, balls, inner_speed=W, friction=(0.1, 0.07))
+    ring = ring_raceways(BEARING_6205, ANGLE, operation, friction=(0.1, 0.07))
     # The ring divides the gyroscopic moment a little differently, by the balls' own angles.
     for race in RACES:
         for name in CONTACT.names or ():
@@ -347,10 +276,10 @@ def test_the_ring_without_radial_load_has_the_races_of_thrust() -> None:
 
 def test_the_azimuths_of_a_ring_are_those_of_its_balls() -> None:
     operation = at(load=430.0, moment=0.7)
-    races = ring_raceways(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.1))
-    balls = ring_balls(BEARING_6205, ANGLE, operation, LoadEffects())
+    races = ring_raceways(BEARING_6205, ANGLE, operation, friction=(0.1, 0.1))
+    balls = balls_of(scene_at(operation))[0]
     each = races.contacts.load.shape[1] // 9
-    np.testing.assert_allclose(races.contacts.load[:, ::each], balls.load[:, 0], rtol=1e-9)
+    np.testing.assert_allclose(races.contacts.load[:, ::each], balls["load"].T, rtol=1e-9)
     # Halfway between two balls the load is between theirs or near it: no jump from one place of the set to the next.
     steps = np.abs(np.diff(races.contacts.load, axis=1))
     assert steps.max() < 3 * np.sort(steps, axis=1)[:, -9:].min()
@@ -364,7 +293,7 @@ def test_impossible_races_are_refused() -> None:
 
 def test_a_ball_without_any_load_is_refused() -> None:
     with pytest.raises(InputError, match=r"degrees from the radial load is pressed by 0 N: it needs more than 0 N"):
-        ring_raceways(BEARING_6205, ANGLE, at(load=700.0, axial=20.0), STANDING, friction=(0.1, 0.1))
+        ring_raceways(BEARING_6205, ANGLE, at(load=700.0, axial=20.0), friction=(0.1, 0.1), inertia=STANDING)
 
 
 @pytest.mark.parametrize("race", [0, 1])
@@ -377,19 +306,3 @@ def test_a_race_without_load_has_the_contact_of_a_slight_one(race: int) -> None:
     for name in ("width", "creep", "normal_radial", "normal_axial"):
         np.testing.assert_allclose(none[name], slight[name], rtol=1e-6, err_msg=name)
     assert none["load_by_radial"] == none["load_by_axial"] == 0
-
-
-def test_the_azimuth_without_load_is_named() -> None:
-    races = ring_raceways(BEARING_6205, ANGLE, at(load=310.0), STANDING, friction=(0.1, 0.1))
-    load = races.contacts.load.copy()
-    load[:, 50] = 0.0  # of 144
-    with pytest.raises(InputError, match=r"a ball at 125 degrees from the radial load is pressed by 0 N"):
-        replace(races, contacts=replace(races.contacts, load=load))
-    load[0, 50] = 1.0  # one race is enough
-    replace(races, contacts=replace(races.contacts, load=load))
-
-
-def test_balls_of_a_ring_are_not_taken_for_balls_under_thrust() -> None:
-    balls = ring_balls(BEARING_6205, ANGLE, at(load=100.0), LoadEffects())
-    with pytest.raises(InputError, match="balls by the method 'ring' differ over a turn: take `ring_raceways`"):
-        thrust_raceways(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.1))

@@ -7,10 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.cage.motion import CageMotion, MeanMotion
-from analytic.cage.statistics import State, _of_mean, _other, _state, _steady_state, measured_motion
-from analytic.cage.steady import LandGuidance, rest_torque
-from analytic.scene import CageStart
+from analytic.cage.motion import CageMotion
+from analytic.cage.statistics import measured_motion
+from analytic.cage.steady import LandGuidance, hanging_torque
 from tests.analytic.cage.specimens import CAGE, RATE, W
 from tests.refusals import refused, refuses
 
@@ -26,9 +25,7 @@ def test_the_start_decides_between_rest_and_whirl() -> None:
     assert (resting.other.start, resting.other.state) == ("whirl", "whirl")
     assert (whirling.other.start, whirling.other.state) == ("rest", "rest")
     np.testing.assert_allclose(resting.other.torque, whirling.torque, rtol=0.02)
-    closed = rest_torque(
-        friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
-    )
+    closed = hanging_torque(0.1, CAGE.mass * 9.80665, RATE * 3.97e-3, 0.18)
     np.testing.assert_allclose([resting.torque, whirling.other.torque], closed, rtol=0.02)
     # It goes round by w_b r/nabla + w_c; friction in the pockets slips a little.
     np.testing.assert_allclose(whirling.whirl_speed, CAGE.ball_speed * 39.7 + CAGE.orbit_speed, rtol=0.02)
@@ -51,9 +48,7 @@ def test_torque_at_rest_does_not_depend_on_speed(rpm: float) -> None:
     slower = rpm * np.pi / 30 / W
     driven = {name: slower * getattr(CAGE, name) for name in ("orbit_speed", "ball_speed", "ring_speed")}
     statistics = measured_motion(replace(CAGE, **driven), start="rest", seeds=2, duration=0.02)
-    closed = rest_torque(
-        friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
-    )
+    closed = hanging_torque(0.1, CAGE.mass * 9.80665, RATE * 3.97e-3, 0.18)
     np.testing.assert_allclose(statistics.torque, closed, rtol=0.02)  # it swings slightly
     assert statistics.state == "rest"
 
@@ -77,84 +72,6 @@ def test_a_swing_slower_than_a_block_is_not_rest() -> None:
     assert statistics.state == "irregular"
     assert max(statistics.block_maxima) > 10
     assert 0.1 * 2.98e-3 < statistics.wobble < 2.98e-3
-
-
-def block_of(**changed: Any) -> MeanMotion:
-    """Of a cage that hangs 0.1 mm off the axis; the rest of it does not matter for its state."""
-    values: dict[str, Any] = dict.fromkeys(MeanMotion.__dataclass_fields__, 0.0)
-    return MeanMotion(
-        **(values | {"duration": 1e-3, "place": (0.0, -1e-4), "distance": 1e-4, "slip_power": 2.7} | changed)
-    )
-
-
-@pytest.mark.parametrize(("land", "free"), [(None, 0.1), (0.03, 0.03), (0.3, 0.1)])
-def test_a_state_has_a_limit_of_its_place_and_of_its_distance(land: float | None, free: float) -> None:
-    """A quarter and a tenth of the clearance, mm, of the pocket or of a narrower land."""
-    guided = None
-    if land is not None:
-        guided = LandGuidance(radius=17e-3, half_clearance=1e-3 * land, outside=False, speed=W, half_width=5e-3)
-    cage = replace(CAGE, land=guided)
-
-    def state(place: float, distance: float) -> State:
-        return _steady_state(cage, place_deviation=1e-3 * free * place, distance_deviation=1e-3 * free * distance)
-
-    assert [state(*each) for each in ((0.249, 0.2), (0.251, 0.099), (0.251, 0.101))] == ["rest", "whirl", "irregular"]
-
-
-def test_blocks_and_the_whole_time_must_agree() -> None:
-    """Each block rests, but the cage creeps from one place to the other; it whirls, but closer and closer."""
-    nabla = CAGE.half_clearance
-
-    def swing(share: float) -> list[MeanMotion]:
-        """The deviation of both blocks, a fifth, and half of their distance add up to 0.25 at a share of 0.15."""
-        around = 0.2 * nabla
-        places = ((0.6 * side * share * nabla, 0.8 * side * share * nabla) for side in (1, -1))
-        return [block_of(place=place, place_deviation=around, distance_deviation=nabla) for place in places]
-
-    assert [_state(CAGE, swing(share)) for share in (0.149, 0.151)] == ["rest", "irregular"]
-
-    def narrowing(share: float) -> list[MeanMotion]:
-        distances = (nabla * (1 + side * share) for side in (1, -1))
-        return [block_of(distance=each, place_deviation=nabla, distance_deviation=0.08 * nabla) for each in distances]
-
-    assert [_state(CAGE, narrowing(share)) for share in (0.0599, 0.0601)] == ["whirl", "irregular"]
-    resting, whirling = block_of(), block_of(place_deviation=nabla)
-    assert _state(CAGE, [resting, whirling]) == "irregular"
-
-
-def test_the_other_start_is_one_that_was_not_made() -> None:
-    made = []
-
-    def blocks(start: Any, seed: int) -> list[MeanMotion]:
-        made.append((start, seed))
-        return [block_of(land_power=0.4, drag_power=0.9)]
-
-    cases: tuple[tuple[State, CageStart, CageStart], ...] = (
-        ("rest", "sudden", "whirl"),
-        ("rest", "whirl", "sudden"),
-        ("irregular", "sudden", "rest"),
-        ("mixed", "rest", "sudden"),
-    )
-    for state, start, expected in cases:
-        other = _other(CAGE, state, start, blocks)
-        assert other is not None
-        assert (other.start, made.pop()) == (expected, (expected, 0))
-        assert other.torque == pytest.approx(4.0 / W, rel=1e-12)
-    # A whirl number of 1 in exact numbers, and the next one below
-    just = replace(CAGE, ball_speed=2.0, ball_radius=0.25, half_clearance=0.25, gravity=(0.0, -1.0, 0.0))
-    assert _other(just, "rest", "rest", blocks) is not None
-    assert _other(replace(just, ball_speed=float(np.nextafter(2.0, 0))), "rest", "rest", blocks) is None
-    back = _other(replace(CAGE, ball_speed=-CAGE.ball_speed, ring_speed=-W), "rest", "rest", blocks)
-    assert back is not None
-    assert back.torque == pytest.approx(4.0 / W, rel=1e-12)
-
-
-def test_the_interval_of_a_mean_is_that_of_student_unless_values_are_equal() -> None:
-    assert _of_mean(np.array([3e-5, 3e-5, 3e-5 * (1 + 1e-13)])) == (3e-5, 3e-5 * (1 + 1e-13))
-    for spread in (1e-9, 2e-5):
-        low, high = _of_mean(np.array([3e-5 - spread, 3e-5 + spread]))
-        assert (low + high) / 2 == pytest.approx(3e-5, rel=1e-9)
-        assert (high - low) / 2 == pytest.approx(12.706 * spread, rel=1e-4)  # one degree of freedom, at 95 %
 
 
 def test_a_tumbling_cage_on_a_land_is_not_at_rest() -> None:

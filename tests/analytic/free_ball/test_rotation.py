@@ -12,8 +12,7 @@ from analytic.errors import ConvergenceError
 from analytic.free_ball import kernel, strips, turning
 from analytic.free_ball.rotation import Nodes, _write_nodes, free_quadratures
 from analytic.free_ball.state import QUADRATURE, contact_states, scratch
-from analytic.free_ball.stress import flow_at
-from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.kinematics import ball_kinematics, ball_motion
 from analytic.loads.state import ball_states
 from analytic.numerics.records import Record, as_record
 from analytic.oil.law_table import law_address
@@ -130,15 +129,15 @@ def test_a_fast_ball_obeys_the_closed_kinematics_at_its_own_pitch(load: float, s
     """It nearly obeys those of outer control too where one race presses far harder."""
     bearing, free = STEEP
     balls = under_thrust(bearing, free, load=load, speed=speed, friction=friction)
-    angles = {"inner_angle": balls.angle[0], "outer_angle": balls.angle[1]}
+    inner, outer = (float(angle) for angle in balls.angle)
     radius = balls.motion["inner_radius"] + bearing.ball_radius * np.cos(balls.angle[0])
-    sizes = {"pitch_diameter": 2 * float(radius), "ball_diameter": bearing.ball_diameter}
-    own = ball_kinematics(inner_speed=1.0, **angles, **sizes, pitch=balls.motion["pitch"])
+    sizes = 2 * float(radius), bearing.ball_diameter
+    own = ball_motion(1.0, inner, outer, float(balls.motion["pitch"]), *sizes)
     for name in ("cage_speed", "inner_entrainment", "outer_entrainment", "inner_rolling_rate", "outer_rolling_rate"):
         np.testing.assert_allclose(balls.motion[name], getattr(own, name), rtol=3e-3)  # what slip leaves
     if load == 50.0 and friction == 0.1:
-        outer = ball_kinematics(inner_speed=1.0, **angles, **sizes)
-        np.testing.assert_allclose(balls.motion["cage_speed"], outer.cage_speed, rtol=3e-3)
+        ruled = ball_kinematics(1.0, inner, outer, *sizes)
+        np.testing.assert_allclose(balls.motion["cage_speed"], ruled.cage_speed, rtol=3e-3)
 
 
 def test_a_ball_near_its_limit_pitches_down_and_does_not_turn_across() -> None:
@@ -228,21 +227,6 @@ def one_contact(state: Record, slip: tuple[float, float, float], *, passing: flo
     return contact
 
 
-def test_a_ball_that_rolls_does_not_slide_at_the_middle_of_its_contact() -> None:
-    """Its surface and that of a ring that turns at 0.37 move alike there; it keeps its orbit and its spin."""
-    of_ring = as_record(contact(ring_rate=0.37))
-    before = (0.0021, 0.0, -0.0043, 0.0017)
-    ball = ball_of(before)
-    velocity = ball.velocity
-    kernel._roll(of_ring, ball, velocity)
-    n_r, n_z = of_ring.normal_radial, of_ring.normal_axial
-    of_surface = velocity[0] - n_z * velocity[2] + n_r * velocity[3]
-    assert of_surface == pytest.approx(0.37 * (0.02 + 4e-3 * n_r), rel=1e-12)  # round-off
-    spin, spin_before = (n_r * each[2] + n_z * each[3] for each in (velocity, before))
-    assert spin == pytest.approx(spin_before, rel=1e-12)
-    assert tuple(velocity[:2]) == before[:2]
-
-
 @pytest.mark.parametrize("times", [0.3, 1.0, 4.0])
 def test_an_even_slip_gives_the_force_of_a_strip(times: float) -> None:
     """mu Q f(k), f = (2/pi)[atan k + k/(1 + k^2)], k the slip over s_c = L p0 mu u/a, by Polach."""
@@ -269,29 +253,6 @@ OILED = {
     "boundary": 0.02, "eyring": 4.7e6, "fluidity": 3e3, "limit": 0.05, "share": 0.9, "alpha": 7.0 * 0.6 * 5.1e-9,
     "exponent": 0.6,
 }  # fmt: skip
-
-
-@pytest.mark.parametrize("law", [{}, OILED])
-def test_the_tangent_is_the_derivative_of_the_force(law: dict[str, float]) -> None:
-    inner = contact(ring_rate=1.0, semi_axis_rolling=2e-4, **law)
-    outer = contact(normal_radial=0.97, normal_axial=0.243, semi_axis_rolling=2.2e-4, load=340.0, **law)
-    contacts, start = np.stack([inner, outer]), (8.03e-3, 2e-5, 1.7e-3, -8.2e-3)
-    ball, quadrature, work = ball_of(start, inertia=3.0), quadrature_of(Nodes(12, 10)), scratch()
-    for race in range(2):
-        strips.hold_flows(as_record(contacts[race]), quadrature, work.flows[race])
-    passing = np.array([kernel._passing(as_record(each), ball, ball.velocity) for each in contacts])
-
-    def residual(velocity: Array) -> tuple[Array, Array]:
-        force, tangent = np.zeros(4), np.zeros((4, 4))
-        kernel._residual(contacts, ball, velocity, passing, quadrature, (force, tangent), work)
-        return force, tangent
-
-    _, tangent = residual(np.array(start))
-    for column in range(4):
-        step = 1e-10 * np.eye(4)[column]
-        slope = (residual(start + step)[0] - residual(start - step)[0]) / 2e-10
-        # differences of a force with kinks between nodes
-        np.testing.assert_allclose(tangent[:, column], slope, atol=2e-5 * np.abs(tangent).max())
 
 
 def test_a_slanting_slip_is_resisted_by_both_flexibilities_or_by_none() -> None:
@@ -343,35 +304,6 @@ def test_eyrings_law_as_a_users_law_acts_as_the_built_in_one(slip: tuple[float, 
         assert users[name] == pytest.approx(built_in[name], rel=3 * ACCURACY), name
 
 
-def test_a_users_law_has_a_tangent_too() -> None:
-    """That of Eyring's law: a residual of forces and its slopes."""
-    own = law_address(own_traction("eyring", math.asinh))
-    found = []
-    for law in (0.0, own):
-        states = contact(ring_rate=1.0, semi_axis_rolling=2e-4, own=law, **OILED)
-        contacts = np.stack([states, with_fields(states, normal_radial=0.97, normal_axial=0.243, ring_rate=0.0)])
-        ball, quadrature, work = ball_of((8.03e-3, 2e-5, 1.7e-3, -8.2e-3)), quadrature_of(Nodes(12, 10)), scratch()
-        for race in range(2):
-            strips.hold_flows(as_record(contacts[race]), quadrature, work.flows[race])
-        tangent, passing = np.zeros((4, 4)), np.array([0.004, -0.005])
-        kernel._residual(contacts, ball, ball.velocity, passing, quadrature, (np.zeros(4), tangent), work)
-        found.append(tangent)
-    # The table's slopes follow those of the function to 1e-3 (tests/analytic/oil/test_own_law.py).
-    np.testing.assert_allclose(found[1], found[0], rtol=0, atol=1e-3 * np.abs(found[0]).max())
-
-
-@pytest.mark.parametrize("nodes", [Nodes(7, 6), Nodes(8, 5)])
-def test_the_oil_of_every_node_flows_by_its_own_pressure(nodes: Nodes) -> None:
-    row, quadrature = contact(**OILED), quadrature_of(nodes)
-    flows = np.full((quadrature.nodes, 3, quadrature.strips), np.nan)
-    strips.hold_flows(as_record(row), quadrature, flows)
-    peak = 1.5 * row["load"] / (np.pi * row["semi_axis_rolling"] * row["semi_axis_transverse"])
-    for j in range(quadrature.strips):
-        for k in range(quadrature.nodes):
-            pressure = float(peak * quadrature.across[1, j] * quadrature.along[1, k])
-            np.testing.assert_allclose(flows[k, :, j], flow_at(point_law(row), pressure), rtol=1e-9)
-
-
 @pytest.mark.parametrize("own", [False, True])
 @pytest.mark.parametrize("law", [{}, OILED])
 def test_the_powers_of_the_law_are_integrals_over_the_contact(law: dict[str, float], own: bool) -> None:
@@ -402,17 +334,6 @@ def test_at_standstill_all_friction_opposes_the_slip_at_once() -> None:
     found = -outcome["along"], -outcome["across"]
     # 24 marched nodes at even angles are 1e-2 off the sum over a strip.
     assert found == pytest.approx((0.6 * 0.07 * 300.0, 0.8 * 0.07 * 300.0), rel=0.01)
-
-
-def test_four_equations_are_solved_with_pivots() -> None:
-    random = np.random.default_rng(9)
-    for number in range(8):
-        matrix, right = random.normal(size=(4, 4)), random.normal(size=4)
-        if number % 2:
-            np.fill_diagonal(matrix, 0.0)
-        expected, found = np.linalg.solve(matrix, right), right.copy()
-        kernel._solved(matrix.copy(), found)
-        np.testing.assert_allclose(found, expected, rtol=1e-9)  # round-off, times the condition
 
 
 NODES = Nodes(16, 12)

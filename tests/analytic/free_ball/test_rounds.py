@@ -1,26 +1,22 @@
 """Loads and rotation of free balls by a general root finder, the secant of their rounds, the stress of a point."""
 
-from dataclasses import replace
-from inspect import unwrap
-
 import numpy as np
 import pytest
 from scipy.optimize import brentq, root
 
 from analytic.contact.factors import FactorNumbers
-from analytic.free_ball import kernel, stress, turning
+from analytic.free_ball import kernel, turning
 from analytic.free_ball.rotation import free_quadratures
-from analytic.free_ball.state import contact_states, scratch
+from analytic.free_ball.state import scratch
 from analytic.free_ball.stress import Shear, flow_at, sheared, yielding
-from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.loads.numbers import bearing_numbers
 from analytic.loads.race_contacts import unit_contact_on
-from analytic.loads.state import ball_states
+from analytic.loads.thrust import thrust_equilibrium
 from analytic.numerics.records import as_record
 from analytic.oil.traction import PointLaw
-from analytic.scene import Array, Bearing, ContactAngle, Operation
+from analytic.scene import Array, Bearing, ContactAngle
 from tests.analytic.free_ball.specimens import FINE, angular_contact, under_thrust
-from tests.analytic.specimens import BEARING_6205
+from tests.analytic.specimens import BEARING_6205, loaded_contacts
 
 RACES = (-1.0, 1.0)  # which way the contact's normal points out of the ball, radially
 AS_HERTZ = FactorNumbers(1.0, 1.0, 1.0, np.nan)
@@ -86,17 +82,6 @@ def test_a_root_finder_settles_loads_and_rotation_at_the_same_place(
     np.testing.assert_allclose(found[4:], solved[4:], atol=1e-5 * np.abs(solved[4:]).max())
 
 
-@pytest.mark.parametrize("slope", [-0.4, -1.7, -3.0, 0.6])
-def test_forces_that_swing_from_round_to_round_settle_by_a_secant(slope: float) -> None:
-    """Forces that come of a round are c + slope (those it had): plain rounds diverge from a slope of -1 on."""
-    ball, constant = as_record(ball_states(1)[0]), np.array([9.2, -0.013, 0.31])
-    ball.given, ball.gave, ball.left = np.array([4.0, 0.002, -0.05]), np.nan, np.nan
-    for _ in range(5):
-        came = constant + slope * ball.given
-        turning._mix(ball, (came[0], came[1], came[2]))
-    np.testing.assert_allclose(ball.given, constant / (1 - slope), rtol=1e-9)
-
-
 def test_the_stress_of_a_creeping_point_by_a_bracketing_search() -> None:
     """g + compliance T(g) = reach, T(g) = steady + min(eyring asinh(fluidity g), limit); and its slope by reach."""
     random = np.random.default_rng(5)
@@ -126,13 +111,6 @@ def test_the_stress_of_a_creeping_point_by_a_bracketing_search() -> None:
         assert stress == pytest.approx(expected, rel=1e-12)  # of the search
         assert slope == pytest.approx(rise, rel=1e-6)  # it is for Newton's method
     assert min(sticks, flows, yields) > 30
-
-
-def test_the_hyperbolic_functions_have_all_digits_on_both_sides_of_their_series() -> None:
-    for y in (0.0, 1e-9, 1e-3, 0.17, 0.2999, 0.3001, 0.7, 3.0, 40.0, 300.0):
-        np.testing.assert_allclose(
-            stress._hyperbolic(y), [np.sinh(y), np.cosh(y)], rtol=2e-15
-        )  # of the series' next term
 
 
 def test_oil_that_slides_has_the_slope_of_its_stress_and_none_at_its_limit() -> None:
@@ -174,10 +152,8 @@ def test_the_flexibility_is_that_of_a_6205_by_another_program(creeps: bool, alon
 
     Fitted factors multiply it along and across; surfaces without creep are a thousand times as stiff.
     """
-    operation = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([31.0])).as_series()
-    still = LoadEffects(centrifugal=False, gyroscopic=False)
-    balls = thrust_balls(BEARING_6205, ContactAngle(rule="given", value=0.18), operation, still)
-    peak = balls.contact.peak_pressure[:, 0, 0]
+    ball = thrust_equilibrium(BEARING_6205, ContactAngle(rule="given", value=0.18), axial_load=1000.0)
+    peak = np.array([contact.peak_pressure for contact in loaded_contacts(ball)])
     found = turning.free_numbers(BEARING_6205, orbit=0.02, creeps=creeps, inertia=(True, False))
     np.testing.assert_allclose(np.array(found.flexibility) * peak * 0.1 / along, [0.0020845, 0.0018872], rtol=2e-4)
     assert found.lean == pytest.approx(0.8 / 1.35, rel=1e-12)
@@ -206,70 +182,3 @@ def test_the_motion_of_a_ball_is_that_of_its_vectors() -> None:
         assert getattr(found, f"{name}_rolling_rate") == pytest.approx(abs(past @ np.cross(along, normal)), rel=1e-12)
         spins.append(past @ normal)
     assert found.spin_difference == pytest.approx(abs(spins[0] + spins[1]), rel=1e-12)
-
-
-@pytest.mark.parametrize("counts", [(True, True), (False, True), (True, False)])
-@pytest.mark.parametrize(("loads", "known"), [((90.0, 120.0), False), ((90.0, 120.0), True), ((0.0, 120.0), True)])
-def test_a_round_gives_a_ball_its_contacts_and_what_its_turning_does(
-    monkeypatch: pytest.MonkeyPatch, counts: tuple[bool, bool], loads: tuple[float, float], known: bool
-) -> None:
-    """From where it turned last, but for a ball on one race, or from a rule, and first on coarse nodes."""
-    numbers = bearing_numbers(BEARING_6205, ContactAngle(rule="solved", free=0.18))
-    free, speed = turning.free_numbers(BEARING_6205, orbit=0.0195, creeps=True, inertia=counts), 610.0
-    ball, contacts = as_record(ball_states(1)[0]), contact_states(1).view(np.recarray)[0]
-    ball.load, ball.angle = loads, (0.31, 0.22)
-    grooves = numbers.inner, numbers.outer
-    for race, unit in enumerate((ball.inner_unit, ball.outer_unit)):
-        for name, value in unit_contact_on(grooves[race], float(ball.angle[race]), AS_HERTZ)._asdict().items():
-            unit[name] = value
-    start = np.array([8.1e-3, 3e-5, 1.1e-3, -8e-3])
-    ball.velocity, ball.given = start if known else np.full(4, np.nan), np.full(3, 3.0 if known else np.nan)
-    ball.gave = ball.left = np.nan
-    tried: list[tuple[object, float]] = []
-
-    def turn(_contacts: object, _ball: object, nodes: object, accuracy: float, _work: object) -> float:
-        tried.append((nodes, accuracy))
-        contacts["across"] = (-0.7, 1.3)
-        return 1e-9
-
-    monkeypatch.setattr(turning, "turn_ball", turn)
-    nodes = turning.FreeNodes("coarse", "fine", 1e-5, 1e-6, None)
-    found = unwrap(turning.turned)(numbers, free, speed, ball, contacts, nodes)
-    assert tried == [("coarse", turning.ROUGH)] * (not known) + [("fine", 1e-5)]
-    outer = BEARING_6205.outer.groove_radius - 3.97e-3 + ball.outer_unit.approach * loads[1] ** (2 / 3)
-    orbit, mass = 0.0195 + outer * np.cos(0.22), BEARING_6205.ball_mass
-    assert ball.orbit_radius == pytest.approx(orbit, rel=1e-12)
-    assert ball.inertia == pytest.approx(counts[1] * 0.4 * mass * speed**2, rel=1e-12)
-    for name in ("x", "y"):
-        units = np.array([ball.inner_unit[f"semi_axis_{name}"], ball.outer_unit[f"semi_axis_{name}"]])
-        axis = "semi_axis_rolling" if name == "x" else "semi_axis_transverse"
-        np.testing.assert_allclose(contacts[axis], units * np.cbrt(loads), rtol=1e-12)
-    kept = known and loads[0] > 0
-    assert (ball.velocity.tolist() == start.tolist()) == kept
-    ruled = (1 - 7.94 / 39.01 * np.cos(0.26)) / 2  # of the ring's speed; the angles differ a little
-    rate = start[0] / orbit if kept else float(ball.velocity[0]) / orbit
-    assert kept or rate == pytest.approx(ruled, rel=0.02)
-    force = mass * orbit * (rate * speed) ** 2
-    assert found[:3] == pytest.approx((counts[0] * force, -0.7, 1.3), rel=1e-12)
-    moment = 0.4 * mass * 3.97e-3**2 * (rate * speed) * (ball.velocity[2] / 3.97e-3 * speed)
-    assert found[3] == pytest.approx(counts[1] * moment, rel=1e-12)
-    np.testing.assert_array_equal(contacts["ring_rate"], [1.0, 0.0])
-    np.testing.assert_allclose(contacts["normal_radial"], [-np.cos(0.31), np.cos(0.22)], rtol=1e-12)
-    np.testing.assert_allclose(contacts["normal_axial"], [-np.sin(0.31), np.sin(0.22)], rtol=1e-12)
-    np.testing.assert_array_equal(contacts["flexibility"], free.flexibility)
-    np.testing.assert_array_equal(contacts["lean"], free.lean)
-    assert contacts["radius"].tolist() == [numbers.inner.deformed_radius, numbers.outer.deformed_radius]
-
-
-@pytest.mark.parametrize("angle", [ContactAngle(rule="given", value=0.33), ContactAngle(rule="solved", free=0.47)])
-def test_grooves_give_way_alike_until_an_undeformed_ball_touches_both_at_its_angle(angle: ContactAngle) -> None:
-    """Their centres are A cos(al) apart, and their bottoms are as far from the pitch circle."""
-    bearing = BEARING_6205
-    value = 0.33 if angle.rule == "given" else 0.47
-    inner, outer = bearing.inner.groove_radius, bearing.outer.groove_radius
-    between = (inner + outer - bearing.ball_diameter) * np.cos(value)
-    expected = (bearing.pitch_diameter - outer + inner - between) / 2
-    found = turning.outer_groove_centres(bearing, bearing_numbers(bearing, angle))
-    assert found == pytest.approx(expected, rel=1e-12)
-    washers = replace(bearing, kind="thrust")  # whose grooves' centres lie on one circle
-    assert turning.outer_groove_centres(washers, bearing_numbers(bearing, angle)) == bearing.outer.bottom_radius

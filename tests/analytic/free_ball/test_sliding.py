@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 
 from analytic.errors import InputError
-from analytic.loads.balls import LoadEffects, ring_balls
 from analytic.scene import Bearing, ContactAngle, Decision, Operation, Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
-from tests.analytic.specimens import FINISH, OIL, present
+from tests.analytic.specimens import FINISH, OIL, balls_of, present
 
 
 @pytest.fixture(scope="module")
@@ -79,15 +78,15 @@ def test_hard_corners_have_an_answer(scene: Scene, changed: dict[str, float], fr
     assert total <= friction * 9 * (2 * found.ball_load[0] * 4e-3)  # of full sliding at the ball's radius and more
 
 
-def test_the_outer_ring_carries_load_and_weight(bearing_6205: Bearing) -> None:
+def test_the_outer_ring_carries_load_and_weight(scene: Scene) -> None:
     """Newton's third law for the inner ring and the balls together, along x, y and z."""
     operation = Operation(
         axial_load=np.array([3.0]), inner_speed=np.array([0.0]), radial_load=np.array([0.7])
     ).as_series()
     down = (0.48, -0.6, 0.64)
-    effects = LoadEffects(centrifugal=False, gyroscopic=False, down=down)
-    balls = ring_balls(bearing_6205, ContactAngle(rule="solved", free=0.5), operation, effects)
-    load, angle = balls.load[1, 0], balls.contact_angle[1, 0]
+    asked = replace(scene, contact_angle=ContactAngle(rule="solved", free=0.5), operation=operation, down=down)
+    balls = balls_of(asked, weight="on", centrifugal="off", gyroscopic="off")[0]
+    load, angle = balls["load"][:, 1], balls["angle"][:, 1]
     azimuth = 2 * np.pi * np.arange(9) / 9
     weight = 2.04e-3 * 9.80665 * np.array(down)
     # The cage carries the weight along the orbit: what is radial and axial adds up over nine balls.

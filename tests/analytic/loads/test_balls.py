@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls, ring_balls
 from analytic.scene import (
     Array,
     Autocorrelation,
@@ -20,7 +19,7 @@ from analytic.scene import (
     Scene,
 )
 from analytic.torque import friction_torque
-from tests.analytic.specimens import FINISH, OIL
+from tests.analytic.specimens import FINISH, OIL, balls_of
 
 MU = 0.083
 FREE = 0.23
@@ -59,11 +58,6 @@ def scene(bearing_6205: Bearing) -> Scene:
 def torque(scene: Scene, **change: float) -> float:
     asked = {name: np.array([value]) for name, value in change.items()}
     return float(friction_torque(replace(scene, operation=replace(scene.operation, **asked))).torque.total[0])
-
-
-def balls_of(scene: Scene, *, centrifugal: bool = True, gyroscopic: bool = True) -> LoadedBalls:
-    effects = LoadEffects(centrifugal=centrifugal, gyroscopic=gyroscopic)
-    return ring_balls(scene.bearing, scene.contact_angle, scene.operation, effects)
 
 
 def slip_power(load: Array, axes: Array, radius: Array, roll: Array, spin: float) -> float:
@@ -129,65 +123,40 @@ def motion(bearing: Bearing, inner_angle: float, outer_angle: float) -> tuple[np
 def test_the_torque_is_the_slip_power_of_every_ball(scene: Scene, axial: float, radial: float) -> None:
     """Loads and angles come from the ring. The second case has balls that only centrifugal force loads, on one race."""
     asked = replace(scene, operation=operation(axial, radial, 900.0), effects={**ALL, "finite_geometry": "off"})
-    balls, bearing = balls_of(asked), scene.bearing
-    assert np.any(balls.load[0] == 0) == (radial > axial)
+    balls, bearing = balls_of(asked)[0], scene.bearing
+    assert np.any(balls["load"][:, 0] == 0) == (radial > axial)
     grooves = np.array([bearing.inner.groove_radius, bearing.outer.groove_radius])
     deformed = 2 * grooves * bearing.ball_radius / (grooves + bearing.ball_radius)
     powers = []
-    for ball in range(bearing.ball_count):
-        angle = balls.contact_angle[:, 0, ball]
-        rolls, spin = motion(bearing, *angle)
-        axes = np.stack([balls.contact.semi_axis_x[:, 0, ball], balls.contact.semi_axis_y[:, 0, ball]], axis=1)
-        powers.append(slip_power(balls.load[:, 0, ball], axes, deformed, rolls, spin))
+    for ball in balls:
+        rolls, spin = motion(bearing, *ball["angle"])
+        axes = np.stack([ball["semi_axis_rolling"], ball["semi_axis_transverse"]], axis=1)
+        powers.append(slip_power(ball["load"], axes, deformed, rolls, spin))
     assert max(powers) > 1.5 * min(powers)
     np.testing.assert_allclose(torque(asked), MU * sum(powers), rtol=2e-3)  # kinks of |v| between 60 times 120 nodes
 
 
-@pytest.mark.parametrize("centrifugal", [False, True])
-def test_the_balls_forces_balance_load_and_orbit(scene: Scene, centrifugal: bool) -> None:
-    balls = balls_of(scene, centrifugal=centrifugal, gyroscopic=False)
+@pytest.mark.parametrize("centrifugal", ["off", "on"])
+def test_the_balls_forces_balance_load_and_orbit(scene: Scene, centrifugal: Decision) -> None:
+    balls = balls_of(scene, centrifugal=centrifugal, gyroscopic="off")[0]
     azimuth = 2 * np.pi * np.arange(9) / 9
-    (inner, outer), (at_inner, at_outer) = balls.load[:, 0], balls.contact_angle[:, 0]
+    (inner, outer), (at_inner, at_outer) = balls["load"].T, balls["angle"].T
     np.testing.assert_allclose(np.sum(inner * np.sin(at_inner)), 310.0, rtol=1e-9)  # of the ring's iteration
     np.testing.assert_allclose(np.sum(inner * np.cos(at_inner) * np.cos(azimuth)), 170.0, rtol=1e-9)
     np.testing.assert_allclose(outer * np.sin(at_outer), inner * np.sin(at_inner), rtol=1e-7)
-    flung = [2.04e-3 * 39.01e-3 / 2 * (900 * balls.motion.cage_speed[0, ball]) ** 2 * centrifugal for ball in range(9)]
+    flung = 2.04e-3 * 39.01e-3 / 2 * (900 * balls["motion"]["cage_speed"]) ** 2 * (centrifugal == "on")
     pushed = outer * np.cos(at_outer) - inner * np.cos(at_inner)
     np.testing.assert_allclose(pushed, flung, rtol=1e-6, atol=1e-7)  # difference of nearly equal forces
 
 
-@pytest.mark.parametrize(
-    ("radial", "moment", "effects", "method"),
-    [
-        (0.0, 0.0, LoadEffects(), "thrust"),
-        (3.0, 0.0, LoadEffects(), "ring"),
-        (0.0, 0.2, LoadEffects(), "ring"),
-        (3.0, 0.2, LoadEffects(load_distribution=False), "thrust"),
-        (3.0, 0.0, LoadEffects(load_distribution=False, down=(0.0, 0.0, 1.0)), "ring"),
-        (0.0, 0.0, LoadEffects(down=(1.0, 0.0, 0.0)), "ring"),
-    ],
-)
-def test_balls_that_are_alike_have_one_column(
-    bearing_6205: Bearing, radial: float, moment: float, effects: LoadEffects, method: str
-) -> None:
-    rule, given = ContactAngle(rule="solved", free=FREE), operation(310.0, radial, 90.0, moment)
-    balls = loaded_balls(bearing_6205, rule, given, effects)
-    assert (balls.method, balls.alike, balls.load.shape) == (
-        method,
-        9 if method == "thrust" else 1,
-        (2, 1, 1 if method == "thrust" else 9),
-    )
-    alike = np.allclose(balls.load, balls.load[..., :1], rtol=1e-9)
-    assert alike == (effects.down != (1.0, 0.0, 0.0) and (method == "thrust" or not effects.load_distribution))
-    assert balls.load[:, 0, int(balls.heaviest[1][0])].max() == balls.load.max()
-
-
-def test_the_weight_of_the_balls_presses_the_lower_ones(bearing_6205: Bearing) -> None:
+def test_the_weight_of_the_balls_presses_the_lower_ones(scene: Scene) -> None:
     """Along the thrust it is carried by the outer race alone; m g of each ball."""
-    rule, given = ContactAngle(rule="solved", free=FREE), operation(31.0, 0.0, 0.0)
-    balls = ring_balls(bearing_6205, rule, given, LoadEffects(down=(0.0, 0.0, 1.0)))
-    along = balls.load * np.sin(balls.contact_angle)
-    np.testing.assert_allclose(along[1] - along[0], 2.04e-3 * 9.80665, rtol=1e-6)  # a difference of 3.4 N each
+    upright = replace(scene, operation=operation(31.0, 0.0, 0.0), down=(0.0, 0.0, 1.0))
+    balls = balls_of(upright, weight="on")
+    along = balls["load"] * np.sin(balls["angle"])
+    np.testing.assert_allclose(
+        along[..., 1] - along[..., 0], 2.04e-3 * 9.80665, rtol=1e-6
+    )  # a difference of 3.4 N each
 
 
 def test_a_vanishing_radial_load_leaves_the_thrusts_torque(scene: Scene) -> None:
@@ -196,17 +165,6 @@ def test_a_vanishing_radial_load_leaves_the_thrusts_torque(scene: Scene) -> None
     changes = [torque(scene, radial_load=radial) - thrust for radial in (0.0, 1.0, 2.0)]
     np.testing.assert_allclose(changes[0], 0, atol=1e-9 * thrust)  # the ring's iteration
     np.testing.assert_allclose(changes[2] / changes[1], 4, rtol=0.01)  # the next term, of fourth order
-
-
-def test_the_ring_without_side_load_is_the_closed_form(scene: Scene) -> None:
-    thrust = replace(scene, operation=operation(310.0, 0.0, 900.0))
-    ring, closed = balls_of(thrust), loaded_balls(scene.bearing, scene.contact_angle, thrust.operation, LoadEffects())
-    assert (ring.method, closed.method) == ("ring", "thrust")
-    np.testing.assert_allclose(ring.total(ring.load), closed.total(closed.load), rtol=1e-9)
-    np.testing.assert_allclose(ring.contact_angle, np.broadcast_to(closed.contact_angle, ring.load.shape), rtol=1e-9)
-    for name in ("load", "rolling_rate", "deformed_radius"):
-        each, every = getattr(ring.contacts, name), getattr(closed.contacts, name)
-        np.testing.assert_allclose(each, np.broadcast_to(every, each.shape), rtol=1e-9)
 
 
 @pytest.fixture(scope="module")

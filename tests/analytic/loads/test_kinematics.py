@@ -3,37 +3,26 @@
 import numpy as np
 import pytest
 
-from analytic.loads.kinematics import BallKinematics, ball_kinematics, outer_control_pitch
-from tests.refusals import refuses
+from analytic.loads.kinematics import ball_kinematics, outer_control_pitch
 
-PITCH, BALL, ANGLE = 39.01e-3, 7.94e-3, 0.3031  # m, m, rad
+PITCH, BALL = 39.01e-3, 7.94e-3  # m
 AXIS = np.array([0.0, 0.0, 1.0])  # of the bearing; x radial through the ball's centre, y tangential
 
 
-def kinematics(inner: float, outer: float, angle: float = ANGLE, outer_angle: float | None = None) -> BallKinematics:
-    return ball_kinematics(
-        inner_speed=inner,
-        outer_speed=outer,
-        inner_angle=angle,
-        outer_angle=angle if outer_angle is None else outer_angle,
-        pitch_diameter=PITCH,
-        ball_diameter=BALL,
-    )
-
-
 @pytest.mark.parametrize(
-    ("inner_angle", "outer_angle"), [(0.0, 0.0), (0.18, 0.18), (1.2, 1.2), (0.41, 0.12), (0.31, -0.02), (-0.5, -0.3)]
+    ("inner_angle", "outer_angle"),
+    [(0.0, 0.0), (0.18, 0.18), (1.2, 1.2), (np.pi / 2, np.pi / 2), (0.41, 0.12), (0.31, -0.02), (-0.5, -0.3)],
 )
-@pytest.mark.parametrize(("inner", "outer"), [(52.4, 0.0), (-31.0, 0.0), (0.0, 17.3), (23.0, -41.0)])
-def test_nothing_slips_at_the_centres(inner: float, outer: float, inner_angle: float, outer_angle: float) -> None:
+@pytest.mark.parametrize("inner", [52.4, -31.0])
+def test_nothing_slips_at_the_centres(inner: float, inner_angle: float, outer_angle: float) -> None:
     """In the frame of the cage both surfaces have one velocity at each contact: what is left is roll and spin."""
-    motion = kinematics(inner, outer, inner_angle, outer_angle)
+    motion = ball_kinematics(inner, inner_angle, outer_angle, PITCH, BALL)
     pitch = np.arctan2(np.sin(outer_angle), np.cos(outer_angle) + BALL / PITCH)  # of outer control
     axis = np.array([-np.sin(pitch), 0.0, np.cos(pitch)])
-    ball = -np.sign(inner - outer) * np.linalg.norm(motion.ball_speed) * axis
+    ball = -np.sign(inner) * np.linalg.norm(motion.ball_speed) * axis
     centre = np.array([PITCH / 2, 0.0, 0.0])
     rolling, spin = [], []
-    rings = [(inner, -1, motion.inner_radius, inner_angle), (outer, 1, motion.outer_radius, outer_angle)]
+    rings = [(inner, -1, motion.inner_radius, inner_angle), (0.0, 1, motion.outer_radius, outer_angle)]
     for speed, side, radius, angle in rings:
         normal = np.array([np.cos(angle), 0.0, np.sin(angle)])  # outwards
         across = np.array([-np.sin(angle), 0.0, np.cos(angle)])
@@ -43,7 +32,7 @@ def test_nothing_slips_at_the_centres(inner: float, outer: float, inner_angle: f
         velocity = np.cross(ring, contact)
         # round-off of speeds up to 1 m/s that nearly cancel
         np.testing.assert_allclose(velocity, np.cross(ball, contact - centre), atol=1e-14)
-        entrainment = motion.entrainment_speed[0 if side < 0 else 1]
+        entrainment = motion.inner_entrainment if side < 0 else motion.outer_entrainment
         np.testing.assert_allclose(np.linalg.norm(velocity), np.abs(entrainment), rtol=1e-13)
         rolling.append(-(ball - ring) @ across * side)
         spin.append((ring - ball) @ normal)
@@ -51,16 +40,6 @@ def test_nothing_slips_at_the_centres(inner: float, outer: float, inner_angle: f
     np.testing.assert_allclose(np.abs(rolling), np.abs(expected), rtol=1e-13)  # round-off
     np.testing.assert_allclose(spin[0] - spin[1], motion.spin_difference, rtol=1e-13, atol=1e-13)
     np.testing.assert_allclose(spin[1], 0.0, atol=1e-12)  # outer control; round-off of rates of some 100 rad/s
-
-
-def test_bad_input_is_refused() -> None:
-    good = {"inner_speed": 52.4, "inner_angle": ANGLE, "outer_angle": 0.28, "pitch_diameter": PITCH}
-
-    def kinematics(**changed: float) -> object:
-        return ball_kinematics(**({"ball_diameter": BALL} | good | changed))
-
-    refuses(kinematics, inner_speed=float("nan"), outer_speed=float("inf"), inner_angle=18.0, outer_angle=-18.0)
-    refuses(kinematics, outer_angle=float("nan"), ball_diameter=PITCH)
 
 
 def test_a_ball_that_lies_steep_on_its_inner_race_still_turns() -> None:
@@ -72,14 +51,3 @@ def test_a_ball_that_lies_steep_on_its_inner_race_still_turns() -> None:
         np.testing.assert_allclose(outer_control_pitch(inner, outer, ratio), free, rtol=1e-14)
     for inner, outer, expected in ((1.5, -0.4, 1.5 - np.pi / 2 + 0.01), (-1.5, 0.4, -1.5 + np.pi / 2 - 0.01)):
         np.testing.assert_allclose(outer_control_pitch(inner, outer, ratio), expected, rtol=1e-12)  # a difference
-
-
-def test_angles_up_to_a_right_one_are_taken() -> None:
-    """At which both races run on the pitch circle."""
-    found = kinematics(52.4, 0.0, np.pi / 2)
-    np.testing.assert_allclose([found.inner_radius, found.outer_radius], PITCH / 2, rtol=1e-12)
-    np.testing.assert_allclose(found.cage_speed, 26.2, rtol=1e-12)
-    good = {"inner_speed": 3.0, "inner_angle": 0.1, "outer_angle": 0.1, "pitch_diameter": PITCH, "ball_diameter": BALL}
-    refuses(
-        lambda **wrong: ball_kinematics(**good | wrong), inner_angle=1.5709, outer_angle=-1.5709, pitch_diameter=BALL
-    )

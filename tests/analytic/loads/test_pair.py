@@ -8,17 +8,17 @@ import pytest
 
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
-from analytic.loads.balls import LoadEffects
 from analytic.loads.pair import PairContacts, PairEquilibrium, pair_equilibrium
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
+from analytic.loads.turning import Inertia
 from analytic.scene import Arrangement, Bearing, ContactAngle, Groove, Operation
 from tests.contacts import STEEL
 from tests.refusals import refused
 
 SOLVED = ContactAngle(rule="solved")
-STILL = LoadEffects(centrifugal=False, gyroscopic=False)
-HERTZ = PairContacts(effects=STILL, finite_geometry=False)
+STILL = Inertia(centrifugal=False, gyroscopic=False)
+HERTZ = PairContacts(inertia=STILL, finite_geometry=False)
 STATICS = 1e-9  # of the loads: a thousand times the tolerance of the equilibrium
 
 
@@ -77,7 +77,7 @@ def test_the_second_bearing_is_relieved_at_hertz_exponent(kind: Literal["O", "X"
 def test_forces_and_moments_balance() -> None:
     operation = loads([140.0, 610.0], radial=230.0, moment=-1.7, speed=900.0)
     for given in ({"kind": "O", "preload": 190.0}, {"kind": "X", "offset": 7e-6}, {"kind": "tandem"}):
-        found = pair(operation, PairContacts(effects=LoadEffects()), **given, distance=31e-3)
+        found = pair(operation, PairContacts(), **given, distance=31e-3)
         side = np.array([1, 1 if given["kind"] == "tandem" else -1])[:, None]
         first = 31e-3 / 2 if given["kind"] == "X" else -31e-3 / 2
         place = np.array([first, -first])[:, None]
@@ -90,7 +90,7 @@ def test_forces_and_moments_balance() -> None:
 def test_each_bearing_alone_is_loaded_as_in_the_pair() -> None:
     found = pair(
         loads([260.0], radial=120.0, moment=0.9, speed=700.0),
-        PairContacts(effects=LoadEffects(), finite_geometry=False),
+        PairContacts(finite_geometry=False),
         preload=210.0,
     )
     alone = ring_equilibrium(
@@ -101,7 +101,7 @@ def test_each_bearing_alone_is_loaded_as_in_the_pair() -> None:
         moment_y=found.moment,
         inner_speed=700.0,
     )
-    heaviest = np.maximum(alone.inner_load, alone.outer_load).max(axis=-1)
+    heaviest = np.maximum(alone.balls["load"][..., 0], alone.balls["load"][..., 1]).max(axis=-1)
     np.testing.assert_allclose(found.ball_load, heaviest, rtol=1e-6)  # gyroscopic friction settles to 1e-8 or so
     tilts = alone.displacement[..., 4]
     np.testing.assert_allclose(tilts[0, 0], -tilts[1, 0], rtol=1e-6)  # mirrored frames of one shaft
@@ -112,10 +112,10 @@ def test_tandem_shares_the_thrust_equally() -> None:
     found = pair(loads([170.0, 830.0]), kind="tandem")
     np.testing.assert_allclose(found.axial_load, np.array([[85.0, 415.0]] * 2), rtol=STATICS)
     one = thrust_equilibrium(bearing(), SOLVED, axial_load=np.array([85.0, 415.0]))
-    np.testing.assert_allclose(found.ball_load, [one.ball_load] * 2, rtol=STATICS)
+    np.testing.assert_allclose(found.ball_load, [one["load"][:, 0]] * 2, rtol=STATICS)
 
 
-@pytest.mark.parametrize("contacts", [HERTZ, PairContacts(effects=STILL)])
+@pytest.mark.parametrize("contacts", [HERTZ, PairContacts(inertia=STILL)])
 def test_the_stiffness_is_the_slope_of_the_curve(contacts: PairContacts) -> None:
     at = np.array([0.0, 150.0, 480.0, 1300.0])  # the second bearing is relieved at about 570 N
     less, more = (pair(loads(at + step), contacts, preload=200.0) for step in (0.0, 0.5))
@@ -134,7 +134,7 @@ def test_two_balls_hold_the_shaft_along_its_axis_alone() -> None:
     slope, middle = 0.1 / (more.displacement - less.displacement), (less.stiffness + more.stiffness) / 2
     np.testing.assert_allclose(slope, middle, rtol=5e-3)  # as above
     aside = loads(11.0, radial=3.0)
-    alone = PairContacts(effects=replace(STILL, load_distribution=False), finite_geometry=False)
+    alone = PairContacts(load_distribution=False, inertia=STILL, finite_geometry=False)
     found = pair_equilibrium(few, SOLVED, Arrangement(kind="O", preload=40.0), aside, alone)
     assert not found.radial_load.any()
     assert not found.moment.any()
@@ -149,10 +149,10 @@ def test_offset_and_preload_say_the_same() -> None:
 
 def test_corrected_contacts_take_their_part() -> None:
     slender, stiffer = bearing(angle=0.26, shoulder=0.36), ContactFactors(approach=0.9)  # within the fit's range
-    given = PairContacts(effects=STILL, correction=ContactCorrection(inner=stiffer, outer=stiffer))
+    given = PairContacts(inertia=STILL, correction=ContactCorrection(inner=stiffer, outer=stiffer))
     hertz, fitted, factored = (
         pair_equilibrium(slender, SOLVED, Arrangement(kind="O", preload=200.0), loads(0.0), contacts)
-        for contacts in (HERTZ, PairContacts(effects=STILL), given)
+        for contacts in (HERTZ, PairContacts(inertia=STILL), given)
     )
     assert 1.002 < fitted.stiffness[0] / hertz.stiffness[0] < 1.05  # the groove closes in on the ball
     # An approach of 0.9 shortens the offset by as much, less what the contact angle opens less.
@@ -160,7 +160,7 @@ def test_corrected_contacts_take_their_part() -> None:
 
 
 def test_speed_presses_balls_outward() -> None:
-    fast = pair(loads([0.0, 5000.0], speed=3000.0), PairContacts(effects=LoadEffects()), preload=200.0)
+    fast = pair(loads([0.0, 5000.0], speed=3000.0), PairContacts(), preload=200.0)
     assert fast.preload == 200.0
     assert np.all(fast.axial_load[:, 0] > 205.0)  # a rigid preload grows with the balls' centrifugal force
     assert fast.is_relieved.tolist() == [[False, False], [False, True]]
@@ -187,7 +187,7 @@ def test_a_load_that_no_groove_bears_is_named() -> None:
             SOLVED,
             Arrangement(kind="O", preload=9.0),
             loads(11.0, radial=9e6),
-            PairContacts(effects=STILL, finite_geometry=True),
+            PairContacts(inertia=STILL, finite_geometry=True),
         )
 
 

@@ -12,9 +12,10 @@ from hypothesis import given
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
 from analytic.loads.ring import RingEquilibrium, ring_equilibrium
+from analytic.loads.state import approaches
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Bearing, ContactAngle, Material
-from tests.analytic.specimens import with_clearance
+from tests.analytic.specimens import loaded_contacts, with_clearance
 from tests.refusals import refused
 
 SOLVED = ContactAngle(rule="solved")
@@ -64,7 +65,7 @@ def exact_energy(bearing: Bearing, equilibrium: RingEquilibrium, place: list) ->
 
 
 def contacts(equilibrium: RingEquilibrium) -> tuple:
-    return equilibrium.inner, equilibrium.outer
+    return loaded_contacts(equilibrium.balls)
 
 
 @pytest.mark.parametrize("clearance", [31e-6, 2e-9, 0.0, -14e-6])
@@ -73,17 +74,17 @@ def test_pure_thrust_is_the_closed_form(bearing_6205: Bearing, clearance: float)
     ring = ring_equilibrium(bearing, SOLVED, axial_load=loads)
     thrust = thrust_equilibrium(bearing, SOLVED, axial_load=loads)
     everywhere = np.ones(bearing.ball_count)
-    for race in ("inner", "outer"):
-        tight = 1e-10  # TOLERANCE over the share of the load that a ball's force has along the axis
-        np.testing.assert_allclose(getattr(ring, f"{race}_load"), np.outer(thrust.ball_load, everywhere), rtol=tight)
-        np.testing.assert_allclose(
-            getattr(ring, f"{race}_angle"), np.outer(thrust.contact_angle, everywhere), rtol=tight
-        )
-        for field, values in vars(getattr(thrust, race)).items():
-            np.testing.assert_allclose(getattr(getattr(ring, race), field), np.outer(values, everywhere), rtol=tight)
-    assert ring.free_angle == thrust.free_angle
+    tight = 1e-10  # TOLERANCE over the share of the load that a ball's force has along the axis
+    for name in ("load", "angle"):
+        expected = thrust[name][:, None] * everywhere[:, None]
+        np.testing.assert_allclose(ring.balls[name], expected, rtol=tight)
+    for of_ring, alike in zip(loaded_contacts(ring.balls), loaded_contacts(thrust), strict=True):
+        for field, values in vars(alike).items():
+            np.testing.assert_allclose(getattr(of_ring, field), np.outer(values, everywhere), rtol=tight)
     mirrored = ring_equilibrium(bearing, SOLVED, axial_load=-loads)
-    np.testing.assert_allclose(mirrored.inner_angle, -ring.inner_angle, rtol=1e-12)  # the same steps
+    np.testing.assert_allclose(
+        mirrored.balls["angle"][..., 0], -ring.balls["angle"][..., 0], rtol=1e-12
+    )  # the same steps
 
 
 def test_a_free_angle_replaces_the_clearance_and_corrections_reach_the_contacts(bearing_6205: Bearing) -> None:
@@ -92,8 +93,9 @@ def test_a_free_angle_replaces_the_clearance_and_corrections_reach_the_contacts(
     given_angle = ContactAngle(rule="solved", free=0.18)
     ring = ring_equilibrium(bearing_6205, given_angle, axial_load=700.0, correction=correction)
     thrust = thrust_equilibrium(bearing_6205, given_angle, axial_load=700.0, correction=correction)
-    np.testing.assert_allclose(ring.inner_load, np.full(9, thrust.ball_load), rtol=1e-10)  # TOLERANCE
-    np.testing.assert_allclose(ring.inner.semi_axis_x, np.full(9, thrust.inner.semi_axis_x), rtol=1e-10)
+    np.testing.assert_allclose(ring.balls["load"][..., 0], np.full(9, thrust["load"][0]), rtol=1e-10)  # TOLERANCE
+    of_ring, alike = (loaded_contacts(balls)[0].semi_axis_x for balls in (ring.balls, thrust))
+    np.testing.assert_allclose(of_ring, np.full(9, alike), rtol=1e-10)
 
 
 @pytest.mark.parametrize(("clearance", "count"), [(20e-6, 9), (-14e-6, 7), (3e-6, 4)])
@@ -138,38 +140,44 @@ def test_any_load_is_carried(
     load = np.array(signs) * 10.0 ** np.array(log_loads) * [1, 1, 1, arm, arm]
     given_loads: dict[str, Any] = dict(zip(MIXED, load, strict=True))
     equilibrium = ring_equilibrium(bearing, SOLVED, **given_loads)
-    balance = force_and_moment(bearing, equilibrium.inner_angle, equilibrium.inner_load) / [1, 1, 1, arm, arm]
+    balance = force_and_moment(bearing, equilibrium.balls["angle"][..., 0], equilibrium.balls["load"][..., 0]) / [
+        1,
+        1,
+        1,
+        arm,
+        arm,
+    ]
     expected = load / [1, 1, 1, arm, arm]
-    scale = np.abs(expected).max() + equilibrium.inner_load.max()
+    scale = np.abs(expected).max() + equilibrium.balls["load"][..., 0].max()
     rounding = 1e-15 * np.trace(equilibrium.stiffness[:3, :3]) * 1e-3  # round-off of a place of up to 1 mm, N
     np.testing.assert_allclose(balance, expected, rtol=0, atol=1e-11 * scale + rounding)
 
 
 def test_no_load_leaves_the_play_and_a_preload_holds_its_balls(bearing_6205: Bearing) -> None:
     loose = ring_equilibrium(bearing_6205, SOLVED)
-    assert not loose.inner_load.any()
+    assert not loose.balls["load"][..., 0].any()
     assert not loose.displacement.any()
     assert not loose.stiffness.any()
     tight = ring_equilibrium(with_clearance(bearing_6205, -14e-6), SOLVED)
-    np.testing.assert_allclose(tight.inner.approach + tight.outer.approach, 7e-6, rtol=1e-9)  # half on the diameter
+    np.testing.assert_allclose(approaches(tight.balls).sum(axis=-1), 7e-6, rtol=1e-9)  # half on the diameter
     spun = ring_equilibrium(bearing_6205, SOLVED, inner_speed=410.0)
-    assert not spun.inner_load.any()
-    np.testing.assert_allclose(spun.outer_load, spun.centrifugal_force, rtol=1e-12)
+    assert not spun.balls["load"][..., 0].any()
+    np.testing.assert_allclose(spun.balls["load"][..., 1], spun.balls["turning"]["centrifugal"], rtol=1e-12)
 
 
 def test_a_load_on_one_ball_leaves_a_freedom_and_is_carried(bearing_6205: Bearing) -> None:
     """Clearance and almost no load: only the ball in the direction of the load touches; the tangential play stays."""
     equilibrium = ring_equilibrium(bearing_6205, SOLVED, radial_load_x=1e-6)
-    np.testing.assert_allclose(equilibrium.inner_load[0], 1e-6, rtol=1e-7)  # round-off of a place of 10 um
-    assert not equilibrium.inner_load[1:].any()
+    np.testing.assert_allclose(equilibrium.balls["load"][..., 0][0], 1e-6, rtol=1e-7)  # round-off of a place of 10 um
+    assert not equilibrium.balls["load"][..., 0][1:].any()
 
 
 def test_few_balls_carry_thrust_alone(bearing_6205: Bearing) -> None:
     for count in (1, 2):
         bearing = replace(bearing_6205, ball_count=count)
         equilibrium = ring_equilibrium(bearing, SOLVED, axial_load=430.0)
-        expected = thrust_equilibrium(bearing, SOLVED, axial_load=430.0).ball_load
-        np.testing.assert_allclose(equilibrium.inner_load, np.full(count, expected), rtol=1e-10)
+        expected = thrust_equilibrium(bearing, SOLVED, axial_load=430.0)["load"][0]
+        np.testing.assert_allclose(equilibrium.balls["load"][..., 0], np.full(count, expected), rtol=1e-10)
         with pytest.raises(InputError, match=f"ball_count = {count} .* at least 3 balls"):
             ring_equilibrium(bearing, SOLVED, axial_load=430.0, radial_load_x=2.0)
 
@@ -183,7 +191,7 @@ def test_a_turning_ball_is_in_balance_by_newton_and_euler(bearing_6205: Bearing,
     for ball, azimuth in enumerate(equilibrium.azimuth):
         outward = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
         forward, axis = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0]), np.array([0.0, 0.0, 1.0])
-        inner, outer = equilibrium.inner_angle[ball], equilibrium.outer_angle[ball]
+        inner, outer = equilibrium.balls["angle"][..., 0][ball], equilibrium.balls["angle"][..., 1][ball]
         to_inner = np.cos(inner) * outward + np.sin(inner) * axis  # away from the inner contact
         to_outer = np.cos(outer) * outward + np.sin(outer) * axis  # towards the outer contact
         # No slip at both contacts, no spin at the outer one
@@ -197,22 +205,26 @@ def test_a_turning_ball_is_in_balance_by_newton_and_euler(bearing_6205: Bearing,
         cage, spin_rate = np.linalg.solve(
             [[inner_radius, inner_speed], [outer_radius, outer_speed]], [1900.0 * inner_radius, 0.0]
         )
-        np.testing.assert_allclose(equilibrium.centrifugal_force[ball], mass * pitch / 2 * cage**2, rtol=1e-9)
+        np.testing.assert_allclose(
+            equilibrium.balls["turning"]["centrifugal"][ball], mass * pitch / 2 * cage**2, rtol=1e-9
+        )
         momentum_change = np.cross(cage * axis, 0.4 * mass * radius**2 * spin_rate * spin)
-        both = equilibrium.inner_load[ball] + equilibrium.outer_load[ball]
+        both = equilibrium.balls["load"][..., 0][ball] + equilibrium.balls["load"][..., 1][ball]
         couple = momentum_change @ forward / radius  # what friction at one contact would have to be
-        friction_inner = couple * equilibrium.inner_load[ball] / both * np.cross(forward, at_inner) / radius
-        friction_outer = couple * equilibrium.outer_load[ball] / both * np.cross(forward, at_outer) / radius
+        friction_inner = couple * equilibrium.balls["load"][..., 0][ball] / both * np.cross(forward, at_inner) / radius
+        friction_outer = couple * equilibrium.balls["load"][..., 1][ball] / both * np.cross(forward, at_outer) / radius
         moment = np.cross(at_inner, friction_inner) + np.cross(at_outer, friction_outer)
         np.testing.assert_allclose(moment, momentum_change, atol=1e-9 * np.abs(momentum_change).max() + 1e-15)
         total = (
-            equilibrium.inner_load[ball] * to_inner
-            - equilibrium.outer_load[ball] * to_outer
+            equilibrium.balls["load"][..., 0][ball] * to_inner
+            - equilibrium.balls["load"][..., 1][ball] * to_outer
             + friction_inner
             + friction_outer
         )
         np.testing.assert_allclose(total, -mass * pitch / 2 * cage**2 * outward, atol=1e-8 * both)
-        push = equilibrium.inner_load[ball] * to_inner + friction_inner  # on the ring it is the other way round
+        push = (
+            equilibrium.balls["load"][..., 0][ball] * to_inner + friction_inner
+        )  # on the ring it is the other way round
         lever = np.cross(reference_arm(bearing_6205) * outward, push)
         ring_total += [push[2], push[0], push[1], lever[0], lever[1]]
     expected = np.array([load.get(name, 0.0) for name in MIXED])
@@ -224,7 +236,7 @@ def test_a_ring_that_hardly_touches_settles_under_a_moment(bearing_6205: Bearing
     """Two balls carry it; full Newton steps would swing to and fro between pairs of balls."""
     loose = with_clearance(bearing_6205, 22e-6)
     found = ring_equilibrium(loose, SOLVED, axial_load=1e-3, moment_x=0.224, moment_y=across)
-    borne = force_and_moment(loose, found.inner_angle, found.inner_load)
+    borne = force_and_moment(loose, found.balls["angle"][..., 0], found.balls["load"][..., 0])
     # The largest load is 18 N; 1e-9 of it, and of the moments, is what the balance leaves
     np.testing.assert_allclose(borne, [1e-3, 0.0, 0.0, 0.224, across], atol=2e-8)
 

@@ -8,9 +8,11 @@ import pytest
 from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.errors import InputError
 from analytic.loads.numbers import free_angle
-from analytic.loads.thrust import ThrustEquilibrium, thrust_equilibrium, thrust_equilibrium_frozen
+from analytic.loads.state import approaches
+from analytic.loads.thrust import thrust_equilibrium, thrust_equilibrium_frozen
+from analytic.numerics.records import Records
 from analytic.scene import Bearing, ContactAngle
-from tests.analytic.specimens import with_clearance
+from tests.analytic.specimens import loaded_contacts, with_clearance
 from tests.contacts import PEEK
 from tests.refusals import refused
 
@@ -18,14 +20,14 @@ SOLVED = ContactAngle(rule="solved")
 LOADS = 10.0 ** np.arange(-12, 13, 2)  # N, from nothing to what no bearing survives
 
 
-def assert_balanced(balls: ThrustEquilibrium, bearing: Bearing, load: np.ndarray) -> None:
+def assert_balanced(balls: Records, bearing: Bearing, load: np.ndarray) -> None:
     """The force along the axis, the springs of both races, and the distance of the groove centres."""
-    al, Q = balls.contact_angle, balls.ball_load
+    al, Q = balls["angle"][..., 0], balls["load"][..., 0]
     np.testing.assert_allclose(bearing.ball_count * Q * np.sin(al), load, rtol=1e-9)  # near pi/2 and 0 al is exact
-    for race in (balls.inner, balls.outer):
+    for race in loaded_contacts(balls):
         np.testing.assert_allclose(race.stiffness * race.approach**1.5, Q, rtol=1e-12)  # round-off
     radial = bearing.groove_centre_distance - bearing.diametral_clearance / 2
-    stretched = bearing.groove_centre_distance + balls.approach
+    stretched = bearing.groove_centre_distance + approaches(balls).sum(axis=-1)
     # Round-off of al near pi/2, times the stretched distance; a nanometre of 0.4 mm is far below any tolerance.
     np.testing.assert_allclose(stretched * np.cos(al), radial, rtol=1e-12, atol=1e-15 * float(stretched.max()))
 
@@ -37,13 +39,14 @@ def test_forces_and_distances_balance_at_any_load(bearing_6205: Bearing, clearan
     for index, load in enumerate(LOADS):
         one = thrust_equilibrium(bearing, SOLVED, axial_load=load)
         assert_balanced(one, bearing, load)
-        np.testing.assert_allclose(one.contact_angle, balls.contact_angle[index], rtol=1e-13)  # alone or in a series
-    assert np.all(np.diff(balls.contact_angle) >= 0)
-    assert np.all(balls.contact_angle < np.pi / 2)
+        np.testing.assert_allclose(one["angle"], balls["angle"][index], rtol=1e-13)  # alone or in a series
+    assert np.all(np.diff(balls["angle"], axis=0) >= 0)
+    assert np.all(balls["angle"] < np.pi / 2)
+    free = free_angle(bearing)
     if clearance:  # at 0 its round-off decides
-        assert (balls.free_angle is None) == (clearance < 0)
-    if balls.free_angle is not None:
-        np.testing.assert_allclose(np.cos(balls.free_angle), 1 - clearance / (2 * 0.40e-3), rtol=1e-12)
+        assert (free is None) == (clearance < 0)
+    if free is not None:
+        np.testing.assert_allclose(np.cos(free), 1 - clearance / (2 * 0.40e-3), rtol=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -53,9 +56,8 @@ def test_forces_and_distances_balance_at_any_load(bearing_6205: Bearing, clearan
 def test_6205_under_1000_newton(bearing_6205: Bearing, free: float, angle: float, ball_load: float) -> None:
     """Values of an independent calculation, with E = 206 GPa and nu = 0.3; the last digit is rounded."""
     balls = thrust_equilibrium(bearing_6205, ContactAngle(rule="solved", free=free), axial_load=1000.0)
-    np.testing.assert_allclose(balls.contact_angle, angle, atol=0.5e-4)
-    np.testing.assert_allclose(balls.ball_load, ball_load, atol=0.5)
-    assert balls.free_angle == free
+    np.testing.assert_allclose(balls["angle"], angle, atol=0.5e-4)
+    np.testing.assert_allclose(balls["load"], ball_load, atol=0.5)
 
 
 def test_6205_at_a_given_angle(bearing_6205: Bearing) -> None:
@@ -65,12 +67,10 @@ def test_6205_at_a_given_angle(bearing_6205: Bearing) -> None:
         "inner": (0.12095e-3, 1.1222e-3, 2.1831e9, 8.449e-6),
         "outer": (0.16209e-3, 0.92500e-3, 1.9764e9, 8.900e-6),
     }
-    np.testing.assert_allclose(balls.ball_load, 620.630, rtol=1e-6)
-    for race, values in expected.items():
-        contact = getattr(balls, race)
+    np.testing.assert_allclose(balls["load"], 620.630, rtol=1e-6)
+    for contact, values in zip(loaded_contacts(balls), expected.values(), strict=True):
         got = (contact.semi_axis_x, contact.semi_axis_y, contact.peak_pressure, contact.approach)
         np.testing.assert_allclose(np.ravel(got), values, rtol=6e-5)  # half a unit of the fourth digit
-    assert balls.free_angle is None
 
 
 def test_each_race_has_its_own_material(bearing_6205: Bearing) -> None:
@@ -78,10 +78,10 @@ def test_each_race_has_its_own_material(bearing_6205: Bearing) -> None:
     given = ContactAngle(rule="given", value=0.18)
     soft = replace(bearing_6205, outer=replace(bearing_6205.outer, material=PEEK))
     hard, mixed = (thrust_equilibrium(bearing, given, axial_load=300.0) for bearing in (bearing_6205, soft))
-    np.testing.assert_allclose(mixed.inner.approach, hard.inner.approach, rtol=1e-13)  # the same calculation
+    np.testing.assert_allclose(approaches(mixed)[0], approaches(hard)[0], rtol=1e-13)  # the same calculation
     steel_side = (1 - 0.3**2) / 206e9
     ratio = (2 * steel_side / (steel_side + (1 - 0.38**2) / 3.6e9)) ** (2 / 3)
-    np.testing.assert_allclose(hard.outer.approach / mixed.outer.approach, ratio, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(approaches(hard)[1] / approaches(mixed)[1], ratio, rtol=1e-12)  # round-off
 
 
 @pytest.mark.parametrize(
@@ -121,23 +121,22 @@ def test_frozen_contacts_balance_with_the_stiffness_of_the_free_angle(bearing_62
         "inner": 1 / radius + cosine / (middle - radius * cosine),
         "outer": 1 / radius - cosine / (middle + radius * cosine),
     }
-    for race, curvature in along.items():
+    for side, (race, curvature) in enumerate(along.items()):
         across = 1 / radius - 1 / getattr(bearing_6205, race).groove_radius
         modulus = contact_modulus(steel, steel)
-        hand = hertz_contact(curvature_x=curvature, curvature_y=across, load=balls.ball_load, modulus=modulus)
-        np.testing.assert_allclose(getattr(balls, race).approach, hand.approach, rtol=1e-12)  # round-off
-    al, distance = balls.contact_angle, bearing_6205.groove_centre_distance
-    np.testing.assert_allclose(bearing_6205.ball_count * balls.ball_load * np.sin(al), loads, rtol=1e-12)
-    stretched = (distance + balls.approach) * np.cos(al)
+        hand = hertz_contact(curvature_x=curvature, curvature_y=across, load=balls["load"][:, 0], modulus=modulus)
+        np.testing.assert_allclose(approaches(balls)[:, side], hand.approach, rtol=1e-12)  # round-off
+    al, distance = balls["angle"][:, 0], bearing_6205.groove_centre_distance
+    np.testing.assert_allclose(bearing_6205.ball_count * balls["load"][:, 0] * np.sin(al), loads, rtol=1e-12)
+    stretched = (distance + approaches(balls).sum(axis=-1)) * np.cos(al)
     np.testing.assert_allclose(stretched, distance * np.cos(free), rtol=1e-12)
-    assert balls.free_angle == free
 
 
 def test_the_frozen_stiffness_is_near_and_nearer_under_less_load(bearing_6205: Bearing) -> None:
     """The curvature along rolling changes with cos al, so the error goes with al^2 - al0^2 and is one-sided."""
     angle, loads = ContactAngle(rule="solved", free=0.18), [0.7, 30.0, 1000.0]
-    exact = thrust_equilibrium(bearing_6205, angle, axial_load=loads).contact_angle
-    error = thrust_equilibrium_frozen(bearing_6205, angle, axial_load=loads).contact_angle / exact - 1
+    exact = thrust_equilibrium(bearing_6205, angle, axial_load=loads)["angle"][:, 0]
+    error = thrust_equilibrium_frozen(bearing_6205, angle, axial_load=loads)["angle"][:, 0] / exact - 1
     assert 0 < error[0] < error[1] < error[2]
     assert 1.5e-5 < error[2] < 1.75e-5  # as the docstring states it
 

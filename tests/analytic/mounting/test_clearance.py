@@ -128,7 +128,7 @@ def test_the_preload_of_the_balls_is_that_of_the_rings_equilibrium() -> None:
     tight, found = mounted(bearing(), seats(shaft_interference=38e-6))
     assert found.operating < 0
     balls = ring_equilibrium(tight, ContactAngle(rule="solved"))
-    np.testing.assert_allclose(balls.inner_load, found.ball_load, rtol=1e-9)  # the iteration's tolerance
+    np.testing.assert_allclose(balls.balls["load"], found.ball_load, rtol=1e-9)  # the iteration's tolerance
     assert seated().ball_load == 0
 
 

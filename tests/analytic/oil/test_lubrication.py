@@ -7,7 +7,6 @@ import pytest
 
 from analytic.contact.geometry import RACES
 from analytic.contact.rolling_contact import ContactNumbers
-from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.oil.ehl_fit import covered, film_correction, fitted_force, regime_of
 from analytic.oil.film import Inflow
 from analytic.oil.inlets import InletNumbers, oil_supply, replenishment_exponent, starvation_source
@@ -25,11 +24,11 @@ from analytic.oil.rolling import (
 from analytic.oil.starvation import FLOODED
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import oil_at, oil_numbers, roelands_viscosity
-from analytic.scene import Bearing, ContactAngle, Lubricant, Operation, Surface
+from analytic.scene import Bearing, ContactAngle, Lubricant, Surface
 from analytic.scenefile.read import load_scene
 from analytic.surface.gap import GapNumbers, gap_forms, gap_law
 from analytic.surface.roughness import gap_roughness
-from tests.analytic.specimens import BEARING_6205, FINISH, OIL, present
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, contacts_under_thrust, present
 from tests.contacts import STEEL
 from tests.refusals import refuses
 
@@ -39,17 +38,14 @@ ROUGH = replace(FINISH, rms_roughness=0.3e-6, gap="truncated")
 ELASTIC = replace(FINISH, gap="elastic")
 SPEEDS = (0.0, -3.1, 420.0)  # rad/s
 VARIED = Variation(film=0.83, asperity_pressure=1.21, asperity_share=0.6, rolling=0.77)
-STILL = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
 ALL = {"asperities": True, "heats": True, "starves": True}
 BORE, OUTSIDE = 25e-3, 52e-3  # m
 
 
 def loaded(race: int, point: int) -> ContactNumbers:
     """Under one of three loads."""
-    operation = Operation(axial_load=np.array([41.0, 230.0, 1700.0]), inner_speed=np.zeros(3))
-    balls = thrust_balls(BEARING_6205, ContactAngle(rule="solved", free=0.19), operation, STILL)
-    contacts = balls.contacts._replace(entrainment=balls.motion.entrainment_speed)
-    return ContactNumbers(*(float(np.broadcast_to(of, (2, 3, 1))[race, point, 0]) for of in contacts))
+    angle = ContactAngle(rule="solved", free=0.19)
+    return contacts_under_thrust(BEARING_6205, angle, (41.0, 230.0, 1700.0)[point])[race]
 
 
 def gap_of(finish: Surface, contact: ContactNumbers) -> GapNumbers:

@@ -48,7 +48,7 @@ def test_the_nominal_angle_is_that_of_the_unloaded_bearing() -> None:
     made = scene(HAND.replace("700 N", "1e-6 N") + 'contact_angle = { nominal = "23 deg" }\n')
     balls = thrust_equilibrium(made.bearing, made.contact_angle, axial_load=made.operation.axial_load)
     # 1e-6 N presses by 1e-10 m of a groove distance of 0.6 mm.
-    assert math.degrees(float(np.ravel(balls.contact_angle)[0])) == pytest.approx(23, rel=1e-4)
+    assert math.degrees(float(balls["angle"].ravel()[0])) == pytest.approx(23, rel=1e-4)
 
 
 @pytest.mark.parametrize("ring", ["inner", "outer"])

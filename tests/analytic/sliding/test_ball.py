@@ -55,8 +55,7 @@ def running(
 ) -> Running:
     """A ball of a 6205 under thrust at a given contact angle."""
     speed, ball_load = np.asarray(rpm, dtype=np.float64) * np.pi / 30, load / (BALLS * np.sin(angle))
-    geometry = {"inner_angle": angle, "outer_angle": angle, "pitch_diameter": PITCH, "ball_diameter": BALL}
-    rates, motion = ball_kinematics(inner_speed=1.0, **geometry), ball_kinematics(inner_speed=speed, **geometry)
+    rates = ball_kinematics(1.0, angle, angle, PITCH, BALL)
     correlation = Autocorrelation(kind="gaussian", length=length, spacing=length / 20)
     surface = Surface(rms_roughness=sq, autocorrelation=correlation, hardness=HARDNESS, gap="truncated")
     gap = gap_law(surface, gap_roughness(surface), modulus=STEEL, bodies=(materials.STEEL, materials.STEEL))
@@ -72,7 +71,7 @@ def running(
             deformed_radius=deformed_radius(groove_radius=groove, ball_diameter=BALL),
             rolling_rate=rolling_rate,
         )
-        inflow = Inflow(np.abs(motion.inner_entrainment), OIL.viscosity, OIL.pressure_viscosity)
+        inflow = Inflow(np.abs(speed * rates.inner_entrainment), OIL.viscosity, OIL.pressure_viscosity)
         shared = mixed_contact(contact, asymptotes_of(contact, inflow), gap)
         oil = oil_numbers(replace(OIL, traction=traction))  # pyright: ignore[reportArgumentType]
         return contact, mixed_traction(oil, 0.12, shared, 1.0)

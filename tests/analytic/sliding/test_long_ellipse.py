@@ -11,7 +11,6 @@ from scipy.integrate import quad
 from scipy.optimize import brentq, minimize_scalar
 
 from analytic.contact.rolling_contact import ContactNumbers
-from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.loads.kinematics import ball_kinematics
 from analytic.oil.traction import PointLaw
 from analytic.scene import Bearing, ContactAngle, SpinRule
@@ -22,7 +21,7 @@ from analytic.sliding.long_ellipse import (
     microslip_torque,
     pure_rolling_lines,
 )
-from tests.analytic.specimens import rolling_contact, thrust
+from tests.analytic.specimens import contacts_under_thrust, rolling_contact
 
 MU, Q, B, R, ROLL = 0.083, 470.0, 1.27e-3, 4.05e-3, 37.0  # friction, N, m, m, rad/s
 RATIOS = [0.0, 0.05, -0.2, 0.31, 0.45, -0.4999, 0.5, 0.63, -1.7]  # eps
@@ -100,11 +99,7 @@ def test_the_slope_of_a_spin_moment_is_its_derivative(spin: float) -> None:
 
 def both_contacts(bearing: Bearing, *, angle: float) -> tuple[ContactNumbers, ContactNumbers]:
     """Inner and outer race of the 6205 at a given angle under 1000 N."""
-    still = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
-    balls = thrust_balls(bearing, ContactAngle(rule="given", value=angle), thrust(1000.0), still)
-    return tuple(  # pyright: ignore[reportReturnType]
-        ContactNumbers(*(np.broadcast_to(value, (2, 1, 1))[race].item() for value in balls.contacts)) for race in (0, 1)
-    )
+    return contacts_under_thrust(bearing, ContactAngle(rule="given", value=angle), 1000.0)
 
 
 def torque(
@@ -136,15 +131,8 @@ def test_torque_times_speed_is_the_slip_power(
     """For either ring and either direction: at the rates of the true speeds, from the sliding itself."""
     inner, outer = both_contacts(bearing_6205, angle=angle)
     found = torque((inner, outer), mu, np.sin(angle), rule)
-    motion = ball_kinematics(
-        inner_speed=inner_speed,
-        outer_speed=outer_speed,
-        inner_angle=angle,
-        outer_angle=angle,
-        pitch_diameter=bearing_6205.pitch_diameter,
-        ball_diameter=bearing_6205.ball_diameter,
-    )
-    speed = inner_speed - outer_speed
+    speed = inner_speed - outer_speed  # rates are those of the difference
+    motion = ball_kinematics(speed, angle, angle, bearing_6205.pitch_diameter, bearing_6205.ball_diameter)
     spins = found.inner_spin_rate * speed, found.outer_spin_rate * speed
     np.testing.assert_allclose(spins[0] - spins[1], motion.spin_difference, rtol=1e-14)  # round-off
     power = slip_power(inner, mu[0], roll=float(motion.inner_rolling_rate), spin=float(spins[0]))

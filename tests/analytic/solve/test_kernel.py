@@ -216,15 +216,10 @@ def test_balls_are_thrown_beyond_a_thousand_times_their_load(factor: float) -> N
     """By the speed at which the centrifugal force of a ball is that many times its load at rest."""
     axial, angle = 0.31, ContactAngle(rule="solved", free=0.26)
     rest = thrust_equilibrium(BEARING_6205, angle, axial_load=axial)
-    motion = ball_kinematics(
-        inner_speed=1.0,
-        inner_angle=rest.contact_angle,
-        outer_angle=rest.contact_angle,
-        pitch_diameter=BEARING_6205.pitch_diameter,
-        ball_diameter=BEARING_6205.ball_diameter,
-    )
+    al = float(rest["angle"][0])
+    motion = ball_kinematics(1.0, al, al, BEARING_6205.pitch_diameter, BEARING_6205.ball_diameter)
     unit = BEARING_6205.ball_mass * BEARING_6205.pitch_diameter / 2 * float(motion.cage_speed) ** 2
-    speed = factor * np.sqrt(1000 * float(rest.ball_load) / unit)
+    speed = factor * np.sqrt(1000 * float(rest["load"][0]) / unit)
     point = found_at(scene_of(angle=angle, axial_load=axial, inner_speed=speed), {"centrifugal": True}).points[0]
     assert (point["status"] == THROWN) == (factor > 1)
     if factor > 1:

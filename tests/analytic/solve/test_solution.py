@@ -1,7 +1,6 @@
 """Records of operating points: sums and ratios of them, and many points on several cores."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -9,8 +8,7 @@ import pytest
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from analytic.solve.model import model_of
-from analytic.solve.records import BALL, POINT
-from analytic.solve.solution import LEAST_SLICE, Solution, points_of, solved
+from analytic.solve.solution import LEAST_SLICE, points_of, solved
 
 PARTS = {
     "spin": [3.0, 0.0, 7.0],
@@ -18,36 +16,6 @@ PARTS = {
     "hysteresis": [0.2, 0.0, 0.3],
     "rolling": [2.0, 0, 5.0],
 }
-
-
-def forged(count: int = 3, **fields: Any) -> Solution:
-    """A record with these fields of its points."""
-    found = Solution(points=np.zeros(count, POINT), balls=np.zeros((count, 2), BALL))
-    for name, values in fields.items():
-        found.points[name] = values
-    return found
-
-
-def test_sums_have_the_parts_of_sliding_and_of_the_races() -> None:
-    found = forged(**PARTS, cage=17.0, total=99.0)  # of which neither is of balls and races
-    np.testing.assert_allclose(found.sliding_torque, [3.5, 0.0, 8.1], rtol=1e-15)
-    np.testing.assert_allclose(found.race_torque, [5.7, 0.0, 13.4], rtol=1e-15)
-
-
-def test_the_sliding_number_is_force_over_friction_on_each_race() -> None:
-    found = forged(
-        rolling_force=[[3.0, 5.0], [0.0, 2.0], [0.7, 0.0]], most_friction=[[12.0, 4.0], [0.0, 0.0], [1.4, 6.0]]
-    )
-    np.testing.assert_array_equal(found.sliding_number, [[0.25, 0.0, 0.5], [1.25, np.inf, 0.0]])
-
-
-def test_points_have_loads_speed_and_temperature() -> None:
-    operation = Operation(
-        axial_load=np.array([310.0, 470.0]), inner_speed=np.array([31.0, 47.0]), radial_load=np.array([60.0, 0.0])
-    )
-    np.testing.assert_array_equal(
-        points_of(operation, 313.0), [[310.0, 60.0, 0.0, 31.0, 313.0], [470.0, 0.0, 0.0, 47.0, 313.0]]
-    )
 
 
 @pytest.fixture(scope="module")

@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from analytic.scene import Contact
-from fembearing.check.contact.approach_curve import approach_over_load
-from fembearing.check.contact.hertz import corrected_hertz, hertz_quantities
+from fembearing.check.contact.hertz import approach_over_load, corrected_hertz, hertz_quantities
 from fembearing.plain_types import plain
 from tests.analytic.specimens import present
 

@@ -2,31 +2,24 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
 
 from analytic.progress import silent
 from analytic.scene import Contact
-from fembearing.check.contact.compliance_series import (
+from fembearing.check.contact.compliance import (
     APART,
-    CURVED_CELLS,
     PairSeries,
     ends_before_shoulder,
     pair_series,
     sampling_loads,
 )
 from fembearing.check.contact.load_series import compare_series
-from fembearing.check.contact.mesh_refinement import COMPARED
-from fembearing.check.contact.meshed_region import FADING, Boundary
-from fembearing.check.contact.reference import solve_reference
-from fembearing.check.contact.twin_refinement import ORDER, ORDERS
-from fembearing.check.contact.uncertainty import BETWEEN, FEW_SAMPLES, LEAST_WITH_TWIN, LEFT, STIFFNESS
+from fembearing.check.contact.meshed_region import FADING
+from fembearing.check.contact.refinement import COMPARED, solve_reference
+from fembearing.check.contact.uncertainty import BETWEEN, STIFFNESS
 from fembearing.fem.compliance import pair_compliance
-from fembearing.fem.guess import expected_semi_axes
-from fembearing.fem.measure import Quantities
 from fembearing.fem.pixel_contact import press_pair
 from fembearing.fem.twin import shared_axes
 from fembearing.grid_convergence import CAUTIOUS, LEAST
@@ -118,47 +111,10 @@ def test_loads_near_the_shoulder_are_solved_on_meshes(
     loads = [70.0, 200.0, 400.0]  # ellipses of 0.53, 0.76 and 0.96 mm
     assert [ends_before_shoulder(replace(contact, load=load)) for load in loads] == [True, True, False]
     found = compare_series(contact, recipe=shallow("race"), loads=loads, tolerance=0.9)
-    assert [len(point.others) for point in found.points] == [4, 4, 0]
+    assert [len(point.quantities) for point in found.points] == [5, 5, 1]
     assert found.law is not None
-    assert [point.verdict for point in found.points] == ["pass", "pass", "outside validity"]
+    assert [point.approach.verdict for point in found.points] == ["pass", "pass", "outside validity"]
     assert "from 400 N on the contact reaches its shoulder" in " ".join(found.warnings)
-    over = found.points[2].approach
+    over = present(found.points[2].approach.study)
     assert over.richardson is None  # there no order is assumed
     assert over.mesh >= CAUTIOUS * abs(1 - over.values[0] / over.values[1]) + LEAST
-
-
-def on_level(level: int) -> Any:
-    """Quantities that are off by a power of the cells of this level."""
-    exact = {"semi_axis_rolling": 0.12e-3, "semi_axis_transverse": 0.7e-3, "peak_pressure": 2.1e9, "approach": 6.2e-6}
-    off = {"semi_axis_rolling": 3e-3, "semi_axis_transverse": -7e-3, "peak_pressure": 2e-3, "approach": 11e-3}
-    values = {name: value * (1 + off[name] / level ** ORDERS.get(name, ORDER)) for name, value in exact.items()}
-    quantities = Quantities(**values, stiffness=372.0 / values["approach"] ** 1.5)
-    contact = SimpleNamespace(load=372.0, ball_radius=3.97e-3)
-    return SimpleNamespace(level=level, quantities=quantities, contact=contact)
-
-
-@pytest.mark.parametrize("levels", [(1, 2), (2, 3)])
-def test_two_levels_are_extrapolated_by_the_order_of_what_is_left(levels: tuple[int, int]) -> None:
-    first, last = (on_level(level) for level in levels)
-    region = dict.fromkeys(vars(first.quantities), Boundary(beyond=0.003, domain=0.002))
-    sampled, between = (PairSeries._estimates(first, last, region, is_sampled=each) for each in (True, False))
-    shape = (0.7 / 3.97) ** 2
-    for name, exact in (("semi_axis_rolling", 0.12e-3), ("semi_axis_transverse", 0.7e-3), ("peak_pressure", 2.1e9)):
-        assert sampled[name].richardson == pytest.approx(exact, rel=1e-9), name
-    approach = present(sampled["approach"].richardson)
-    assert approach == pytest.approx(6.2e-6 * (1 + CURVED_CELLS * shape), rel=1e-9)
-    assert sampled["stiffness"].richardson == pytest.approx(372.0 / approach**1.5, rel=1e-12)
-    ratio = (levels[1] / levels[0]) ** ORDER - 1
-    change = abs(last.quantities.approach - first.quantities.approach) / last.quantities.approach
-    expected = LEAST_WITH_TWIN + FEW_SAMPLES * shape + LEFT * change / ratio  # the approach changes most
-    assert sampled["approach"].mesh == pytest.approx(expected, rel=1e-3)  # the size is that of the last level
-    assert between["approach"].mesh - sampled["approach"].mesh == pytest.approx(BETWEEN, rel=1e-9)
-    assert sampled["approach"].values == (first.quantities.approach, last.quantities.approach)
-    assert (sampled["approach"].beyond, sampled["approach"].domain) == (0.003, 0.002)
-
-
-def test_an_ellipse_ends_before_its_shoulder_by_a_twentieth(contacts: dict[str, Contact]) -> None:
-    across = expected_semi_axes(contacts["inner"], geometry="real")[1]
-    for distance, ends in ((1.06, True), (1.04, False)):
-        contact = replace(contacts["inner"], shoulder=distance * across, far_shoulder=2 * across)
-        assert ends_before_shoulder(contact) == ends

@@ -1,6 +1,6 @@
 """The level that an accuracy needs."""
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -9,16 +9,14 @@ import pytest
 
 from analytic.progress import silent
 from analytic.scene import Contact
-from fembearing.check.contact.mesh_refinement import (
-    STRIP_LEAST,
-    estimates_of,
-)
 from fembearing.check.contact.meshed_region import has_sides, sides_farther
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import (
+    solve_reference,
+)
 from fembearing.check.contact.uncertainty import FARTHER_LEFT, SIDES_LEFT, SIDES_LEFT_IN_OTHERS
 from fembearing.fem.measure import Quantities, ShoulderLoad
 from fembearing.fem.solution import solve_on_mesh
-from fembearing.grid_convergence import CAUTIOUS, FINEST, LEAST
+from fembearing.grid_convergence import FINEST
 from fembearing.mesh.recipe import load_recipe
 
 ORDER = 3.0  # of a semi-axis
@@ -89,38 +87,3 @@ def level_of(level: int, *, shoulder: ShoulderLoad | None = None, **values: floa
     )
     pair = SimpleNamespace(semi_axes=(0.12e-3, 0.7e-3))
     return SimpleNamespace(level=level, quantities=replace(usual, **values), shoulder=shoulder, pair=pair)
-
-
-def test_levels_are_extrapolated_by_the_order_of_each_quantity() -> None:
-    """The approach falls with h^4 and a semi-axis with h^3 to a known limit; the pressure stays that of the finest."""
-    meshes = [
-        level_of(level, approach=6.2e-6 * (1 + 0.02 / level**4), semi_axis_rolling=0.12e-3 * (1 - 0.01 / level**3))
-        for level in (1, 2, 3)
-    ]
-    found = estimates_of(meshes)
-    assert found["approach"].value == pytest.approx(6.2e-6, rel=1e-12)  # round-off
-    assert found["semi_axis_rolling"].value == pytest.approx(0.12e-3, rel=1e-12)
-    assert found["approach"].order == pytest.approx(4.0, rel=1e-9)
-    assert found["peak_pressure"].richardson is None
-
-
-def test_at_a_shoulder_nothing_is_extrapolated_and_the_strip_has_its_least_uncertainty() -> None:
-    """Between two shoulders the centroid is 0 on every mesh: that is certain."""
-    names = [each.name for each in fields(ShoulderLoad)]
-    assert "centroid" in names
-    strips = [name for name in names if name.startswith("strip")]
-    assert strips
-    for change, share in ((1e-4, STRIP_LEAST), (0.05, CAUTIOUS * 0.05 + LEAST + FINEST)):
-        meshes = [
-            level_of(
-                level,
-                shoulder=ShoulderLoad(**{name: 0.0 if name == "centroid" else 0.3 + 0.3 * off for name in names}),
-                approach=6.2e-6 * (1 + 0.02 / level**4),
-            )
-            for level, off in ((2, -change), (3, 0.0))
-        ]
-        found = estimates_of(meshes)
-        assert (found["centroid"].value, found["centroid"].total) == (0.0, 0.0)
-        assert found["approach"].richardson is None
-        for name in strips:
-            assert found[name].mesh == pytest.approx(share, rel=1e-9)  # round-off

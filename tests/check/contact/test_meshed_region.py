@@ -15,9 +15,8 @@ from fembearing.check.contact.meshed_region import (
     Boundary,
     boundary_effect,
     boundary_effect_with_twin,
-    with_effect_of_sides,
 )
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import solve_reference
 from fembearing.check.contact.uncertainty import (
     LEFT_BY_MESHES,
     SIDES_COARSE,
@@ -173,23 +172,3 @@ def test_both_sides_give_the_mean_of_their_quarters() -> None:
     coarse = SIDES_COARSE * (0.7 / 3.97) ** 2
     for name, left in (("approach", SIDES_LEFT["approach"]), ("stiffness", SIDES_LEFT_IN_OTHERS)):
         assert found[name].domain == pytest.approx(1e-4 + left * 1.5e-3 + coarse, rel=1e-9), name
-
-
-def test_lands_on_the_larger_block_move_the_approach_and_the_stiffness_by_its_power() -> None:
-    boundary, sides = dict.fromkeys(vars(ENDLESS), Boundary(domain=1e-4)), dict.fromkeys(vars(ENDLESS), 2e-4)
-    how: Any = {"transverse": 7e-4, "farther": -3e-3}
-    found, less = (with_effect_of_sides(boundary, sides, CONTACT, **how, left=left) for left in (0.25, 0.125))
-    assert found["approach"].sides == pytest.approx(1.0002 * 0.997 - 1, rel=1e-9)  # round-off
-    assert found["stiffness"].sides == pytest.approx(1.0002 * 0.997**-1.5 - 1, rel=1e-9)
-    assert found["peak_pressure"].sides == pytest.approx(2e-4, rel=1e-9)
-    coarse = 1e-4 + SIDES_COARSE * (0.7 / 3.97) ** 2
-    for part, left in ((found, 0.25), (less, 0.125)):
-        lands = np.hypot(SIDES_LEFT["approach"] * 2e-4, left * 3e-3)
-        assert part["approach"].domain == pytest.approx(coarse + lands, rel=1e-9)
-
-
-def test_an_effect_of_a_quantity_that_is_0_is_none() -> None:
-    assert meshed_region.changes({"centroid": 0.0, "load": 4.0}, {"centroid": 3.0, "load": 5.0}) == {
-        "centroid": 0.0,
-        "load": 0.25,
-    }

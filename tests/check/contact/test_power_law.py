@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fembearing.check.contact.power_law import LawData, fit_law, fit_tangents
+from fembearing.check.contact.stiffness_law import LawData, fit_law, fit_tangents
 from fembearing.grid_convergence import Estimate
 from tests.analytic.specimens import present
 
@@ -123,13 +123,3 @@ def test_off_mesh_errors_of_distant_loads_add_as_squares_and_of_near_ones_as_the
         assert law.propagated == pytest.approx(1.5**2 * slope, rel=1e-9)  # n = 1/slope
     both = present(fit_law(data(load, (load / 2.5e10) ** (2 / 3), crossing=3e-3, common=1e-3)))
     assert both.propagated - law.propagated == pytest.approx(1.5**2 * 2e-3 / np.log(40.0), rel=1e-9)
-
-
-def test_half_widths_of_meshes_are_the_whole_less_those_off_the_mesh() -> None:
-    found = LawData.of(
-        np.array([90.0, 20.0, 90.0]), estimates(np.array([3e-6, 1e-6, 3e-6]), mesh=5e-3), [2e-3, 1e-3, 2e-3]
-    )
-    assert found.load.tolist() == [20.0, 90.0]
-    assert found.approach.tolist() == [1e-6, 3e-6]
-    np.testing.assert_allclose(found.common, [4e-3, 3e-3], rtol=1e-12)
-    assert found.crossing.tolist() == [1e-3, 2e-3]

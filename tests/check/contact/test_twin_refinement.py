@@ -8,22 +8,24 @@ import pytest
 
 from analytic.progress import silent
 from analytic.scene import Contact
-from fembearing.check.contact.discrepancy import ContactSolution, compare_contact
-from fembearing.check.contact.mesh_refinement import COMPARED, FORMAL_ORDERS
-from fembearing.check.contact.reference import solve_reference
-from fembearing.check.contact.twin_refinement import ORDER, ORDERS, SHAPED, estimates_with_twin
+from fembearing.check.contact.refinement import (
+    COMPARED,
+    FORMAL_ORDERS,
+    ORDER,
+    ORDERS,
+    SHAPED,
+    estimates_with_twin,
+    solve_reference,
+)
+from fembearing.check.contact.solution import ContactSolution, compare_contact
 from fembearing.check.contact.uncertainty import (
-    BETWEEN,
     CURVED,
     LEAST_WITH_TWIN,
     LEFT,
     STIFFNESS,
     UNSTEADY_PRESSURE,
-    on_pixels,
-    with_twin,
 )
 from fembearing.mesh.recipe import Recipe, load_recipe
-from fembearing.report.contact import contact_record
 
 EXACT = {"semi_axis_rolling": 0.12e-3, "semi_axis_transverse": 0.7e-3, "peak_pressure": 2.1e9, "approach": 6.2e-6}
 LEFT_BY_TWIN = {"semi_axis_rolling": 3e-3, "semi_axis_transverse": -7e-3, "peak_pressure": 2e-3, "approach": 11e-3}
@@ -76,13 +78,10 @@ def test_the_result_says_whether_meshes_had_a_twin(
         compare_contact(contacts["inner"], recipe=shallow(recipe), tolerance=0.9) for recipe in ("race", "hertzian")
     )
     for solution, refinement in ((race, "twin"), (cut_contact, "levels"), (half_spaces, "levels")):
-        assert solution.refinement == contact_record(solution).refinement == refinement
-        assert ("twin" in solution.method) == (refinement == "twin")
-        table = contact_record(solution)
-        assert table.refinement == refinement
-        for name, part in solution.estimates.items():
-            assert bool(part.corrected) == (refinement == "twin")
-            assert table.convergence[name].corrected == part.corrected
+        found = solution.numbers
+        assert found.refinement == refinement
+        assert ("twin" in found.method) == (refinement == "twin")
+        assert [bool(part.corrected) for part in found.estimates.values()] == [refinement == "twin"] * 5
 
 
 @pytest.mark.nightly
@@ -98,21 +97,3 @@ def test_a_tighter_accuracy_takes_a_finer_level_with_its_twin(contacts: dict[str
         assert one.total <= 1e-3, name
         assert other.total <= 5e-4, name
         assert abs(one.value / other.value - 1) < one.mesh + other.mesh, name
-
-
-@pytest.mark.parametrize("grown", ["shape", "shown", "step"])
-def test_whatever_shows_a_larger_error_widens_the_uncertainty(grown: str) -> None:
-    shown = {"shape": 0.31, "shown": 0.0023, "step": 0.0017}
-    larger = shown | {grown: 2 * shown[grown]}
-    before, after = with_twin(**shown), with_twin(**larger)
-    assert all(after[name] > before[name] > 0 for name in before)
-    if grown != "shown":
-        before, after = (on_pixels(shape=each["shape"], step=each["step"], is_sampled=True) for each in (shown, larger))
-        assert all(after[name] > before[name] > 0 for name in before)
-
-
-def test_between_its_samples_a_compliance_is_less_certain() -> None:
-    between, sampled = (on_pixels(shape=0.31, step=0.0017, is_sampled=each) for each in (False, True))
-    for name, part in between.items():
-        factor = STIFFNESS if name == "stiffness" else 1.0
-        assert part - sampled[name] == pytest.approx(factor * BETWEEN, rel=1e-9), name  # round-off of the difference

@@ -45,34 +45,6 @@ def test_a_contact_is_near_its_shoulder_within_a_twentieth_or_where_it_is_cut_of
     assert near_shoulder(mesh(far, shoulder=SimpleNamespace()), far)
 
 
-def test_the_most_uncertain_quantity_of_all_loads_is_named(contacts: dict[str, Contact]) -> None:
-    light, heavy = (replace(contacts["inner"], load=load) for load in (31.0, 470.0))
-    solved = (
-        (mesh(light), estimates(approach=0.03)),
-        (mesh(heavy), estimates(approach=0.021, peak_pressure=0.05)),
-    )
-    assert warnings(*solved) == (
-        "inner: required accuracy 2 % not reached: uncertainty of peak pressure at 470 N 5 % on level 3, "
-        "3 % from the block",
-    )
-    (only,) = warnings(*solved, quantities=("approach",))
-    assert "uncertainty of approach at 31 N 3 % on level 3" in only
-    assert warnings(*solved, accuracy=0.051) == ()
-
-
-def test_quantities_without_convergence_are_named_once_with_all_their_loads(contacts: dict[str, Contact]) -> None:
-    light, heavy = (replace(contacts["outer"], load=load) for load in (31.0, 470.0))
-    solved = [(mesh(contact), estimates(settled=False)) for contact in (light, heavy)]
-    words = "the meshes do not converge in approach, peak pressure at 31, 470 N"
-    assert warnings(*solved) == (f"outer: {words}",)
-    assert warnings(*solved, thin=True) == (f"outer, sheet: {words}",)
-    one = estimates()
-    one["peak_pressure"] = replace(one["peak_pressure"], settled=False)
-    assert warnings((mesh(light), estimates()), (mesh(heavy), one)) == (
-        "outer: the meshes do not converge in peak pressure at 470 N",
-    )
-
-
 @pytest.mark.parametrize(
     ("shoulder", "words"), [(None, "peak pressure 4.3 GPa"), (SimpleNamespace(), "the pressure at y = 0, 4.3 GPa")]
 )

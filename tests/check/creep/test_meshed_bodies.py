@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from analytic.scene import Contact
-from fembearing.check.contact.elastic_bodies import meshed_pair
+from fembearing.check.contact.compliance import meshed_pair
 from fembearing.check.creep.meshed_bodies import MeshedBodies
 from fembearing.check.creep.scene_creep import creep_of
 from fembearing.creep.half_space import HalfSpaces

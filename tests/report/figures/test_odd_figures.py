@@ -12,8 +12,7 @@ from tests.report.prediction_rows import content, prediction_of
 from analytic.errors import InputError
 from analytic.figures.torque import MOST_NAMES, DrawnTorque, torque_figure
 from analytic.units import METRIC
-from fembearing.check.contact.discrepancy import ContactSolution
-from fembearing.report.contact import contact_record
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.report.figures.contacts import approach_plot, convergence_plot, pressure_plot
 from fembearing.report.figures.measured import axis_of, measured_figure
 from fembearing.report.figures.prediction import interval_figure
@@ -40,16 +39,16 @@ def torque_drawn(count: int = 2, **columns: Any) -> DrawnTorque:
 
 
 def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: ContactSolution) -> None:
-    record = contact_record(cut_contact)
+    record = cut_contact.numbers
     figure, caption = pressure_plot(report_with(record))
     for above, below in (present(figure).axes, cut_contact.plot().axes):
         across = points_of(line_of(above, "transverse"))
-        shoulder = 0.8e-3 / cut_contact.hertz.semi_axis_transverse
+        shoulder = 0.8e-3 / cut_contact.numbers.hertz.semi_axis_transverse
         assert across[0, 0] < -0.9
         assert np.all(across[across[:, 0] > 1.001 * shoulder, 1] == 0)  # nothing touches beyond
         (line,) = (points_of(line) for line in above.get_lines() if line.get_linestyle() == ":")
         np.testing.assert_allclose(line[:, 0], shoulder, rtol=1e-12)
-        assert above.get_ylim()[1] < 1.51e-9 * cut_contact.hertz.peak_pressure
+        assert above.get_ylim()[1] < 1.51e-9 * cut_contact.numbers.hertz.peak_pressure
         assert below.get_ylim()[1] < 30  # %: not that of the shoulder's node, some 200 %
     assert "Dotted: shoulder" in caption
     require_legible(present(figure))
@@ -61,7 +60,7 @@ def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: Co
 
 
 def test_a_cut_contact_has_no_formal_order(cut_contact: ContactSolution) -> None:
-    figure, _ = convergence_plot(report_with(contact_record(cut_contact)))
+    figure, _ = convergence_plot(report_with(cut_contact.numbers))
     labels = [str(line.get_label()) for axes in present(figure).axes for line in axes.get_lines()]
     assert "formal order" not in labels
     assert labels_of(present(figure).axes[-1]) == ["inner race"]

@@ -23,14 +23,13 @@ from tests.report.test_measured import TWO
 Way = tuple[str | int, ...]  # to a number of report.json
 UNPRINTED = (  # drawn, in sentences made earlier, a part of what is printed, or the same number in another place
     r"format|provenance\.scene_content\..*|sensitivity\..*|.*\.(radial_load|moment)",
-    r"verdicts\.(production|uncertainty|comparison\.\w+)",
-    r"contacts\.(corrected\.uncertainty|meshes|cost|ring|formal_order|pressure_profile|approach_curve)\..*",
-    r"contacts\.convergence\.\w+\.(beyond|sides)",
+    r"contacts\.(corrected\.uncertainty|meshes|ring|formal_order|pressure_profile|approach_curve)\..*",
+    r"contacts\.(quantities\.\w+\.(uncertainty|study\.(beyond|sides))|tolerance|peak_memory)",
     r"torque\..*",  # the page has it of the result itself, and so has JSON
     r"torque_change\.(change\.(?!total).*|uncertainties\.\w+|finite_geometry\.uncertainty)",
-    r"films\.(viscosity|pressure_viscosity|reach\.side|tolerance|pressure_centre\.(uncertainty|discrepancy))",
-    r"creep\.(point\.axial_load|friction_coefficient|(solved|different)_balls|tolerance)",
-    r"creep\.\w+\.(semi_axis_\w+|(creepage_across|transverse_force)\.formula)",
+    r"films\.(viscosity|pressure_viscosity|reach\.side|tolerance|quantities\.\w+\.(uncertainty|study\.(?!order).*))",
+    r"creep\.(point\.axial_load|friction_coefficient|(solved|different)_balls|tolerance|torque\.relative_uncertainty)",
+    r"creep\.races\.\w+\.(semi_axis_\w+|quantities\.(\w+\.uncertainty|(creepage_across|transverse_force)\..*))",
     r"measured\.(rows\.computed_(low|high)|inside|mean_error|scatter|shares\..*|samples|seed|seconds)",
     r"cost\.(peak_memory|ladders\.methods\.(repeats|warm_up|memory|known_error))",
 )

@@ -42,7 +42,7 @@ def test_what_is_not_compared_is_named_in_one_place(twice: list[Validation]) -> 
     assert {"seconds", "peak_memory", "date", "command", "versions"} <= VARYING == {*TIMES, *MEMORY, *ORIGIN}
     for kept in ("scene_content", "scene_sha256", "seeds"):
         assert repeatable(content)["provenance"][kept] == content["provenance"][kept]
-    assert repeatable(content)["contacts"][0]["fe"] == content["contacts"][0]["fe"]
+    assert repeatable(content)["contacts"][0]["quantities"] == content["contacts"][0]["quantities"]
     assert repeatable([{"seconds": 3.0, "error": 0.1}, 5]) == [{"error": 0.1}, 5]
 
 

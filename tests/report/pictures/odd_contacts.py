@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.validation import Validation
 from fembearing.report.pictures.draw import Kind, Picture, contact_jobs, contact_pictures
 
@@ -48,16 +48,12 @@ def with_ellipses(
 ) -> ContactSolution:
     """The ellipses as multiples of the computed one; (rolling, transverse)."""
     names = "semi_axis_rolling", "semi_axis_transverse"
-    sizes = {name: getattr(contact.reference, name) for name in names}
+    found = contact.numbers.quantities
     made = {
-        name: replace(contact.estimates[name], richardson=sizes[name] * factor, beyond=0.0)
-        for name, factor in zip(names, computed, strict=True)
+        name: replace(found[name], reference=by_fe * found[name].reference, production=by_hertz * found[name].reference)
+        for name, by_fe, by_hertz in zip(names, computed, hertz, strict=True)
     }
-    return replace(
-        contact,
-        estimates=contact.estimates | made,
-        hertz=replace(contact.hertz, **{name: sizes[name] * factor for name, factor in zip(names, hertz, strict=True)}),
-    )
+    return contact.with_numbers(quantities=found | made)
 
 
 def with_small_body(contact: ContactSolution) -> ContactSolution:

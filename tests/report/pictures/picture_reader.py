@@ -66,7 +66,9 @@ def check_ellipse(picture: Picture, *, computed: bool = False) -> None:
     assert frame is not None
     pixels = pixels_of(picture.file)
     assert pixels.shape == (frame.height, frame.width, 3)
-    line, ellipse = (is_black, picture.contact.reference) if computed else (is_red, picture.contact.hertz)
+    line, ellipse = (
+        (is_black, picture.contact.numbers.reference) if computed else (is_red, picture.contact.numbers.hertz)
+    )
     width, height, left, top = half_sizes(line(middle_of(frame, pixels)))
     expected = on_screen(frame, ellipse.semi_axis_rolling, ellipse.semi_axis_transverse)
     np.testing.assert_allclose((width, height), expected, atol=PEN)  # half the line lies outside, blurred by a pixel
@@ -75,7 +77,7 @@ def check_ellipse(picture: Picture, *, computed: bool = False) -> None:
 
 
 def check_pressure(picture: Picture) -> None:
-    frame, computed = picture.frame, picture.contact.reference
+    frame, computed = picture.frame, picture.contact.numbers.reference
     assert frame is not None
     pixels = middle_of(frame, pixels_of(picture.file))
     width, height, *_ = half_sizes(is_pressed(pixels))
@@ -98,7 +100,7 @@ def longest_run(marked: NDArray[np.bool_]) -> int:
 
 def check_scale_bar(picture: Picture) -> None:
     """As long as it says, measured by Hertz's ellipse, which is drawn to scale."""
-    frame, hertz = picture.frame, picture.contact.hertz
+    frame, hertz = picture.frame, picture.contact.numbers.hertz
     assert frame is not None
     pixels = pixels_of(picture.file)
     corner = pixels[-BAR // 2 :, : frame.width - CORNER]  # left of the colour bar
@@ -134,7 +136,7 @@ def share_of_lines(pixels: Pixels, where: NDArray[np.bool_], step: float) -> flo
 
 def lines_of_map(picture: Picture) -> list[float]:
     """The share of mesh lines in each quarter of the picture, on the pressed surface and on the bare one around it."""
-    frame, hertz = picture.frame, picture.contact.hertz
+    frame, hertz = picture.frame, picture.contact.numbers.hertz
     assert frame is not None
     pixels = middle_of(frame, pixels_of(picture.file))
     down, right = np.indices(pixels.shape[:2])

@@ -16,11 +16,12 @@ import pytest
 import pyvista as pv
 from numpy.typing import NDArray
 
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.validation import Validation
 from fembearing.report.page.view import script_hash
 from fembearing.report.pictures.draw import Picture
 from fembearing.report.pictures.render_mesh import cell_edges, loaded_face, mirrored
+from tests.analytic.specimens import present
 from tests.report.page.page_writer import written_page
 from tests.report.pictures.picture_reader import Pixels, half_sizes, is_red, pixels_of
 
@@ -217,8 +218,9 @@ def test_a_browser_draws_hertz_ellipse_to_scale(
     scale = HEIGHT / 2 / scene_of(views[pair].file)["half_size"] * 1e3  # pixels per m
     middle = seen[name][50:-50, 150:-150]  # without title and bars
     width, height, left, top = half_sizes(is_red(middle))
-    assert width - 1 == pytest.approx(scale * contact.hertz.semi_axis_transverse, abs=1.5)  # a line of two pixels
-    assert height - 1 == pytest.approx(scale * contact.hertz.semi_axis_rolling, abs=1.5)
+    hertz = contact.numbers.hertz
+    assert width - 1 == pytest.approx(scale * hertz.semi_axis_transverse, abs=1.5)  # a line of two pixels
+    assert height - 1 == pytest.approx(scale * hertz.semi_axis_rolling, abs=1.5)
     assert left == pytest.approx(middle.shape[1] / 2, abs=1)
     assert top == pytest.approx(middle.shape[0] / 2, abs=1)
 
@@ -241,7 +243,7 @@ def test_a_browser_paints_no_pressure_beyond_a_shoulder(
     cut_view: Path, cut_contact: ContactSolution, seen: dict[str, Pixels]
 ) -> None:
     scene = scene_of(cut_view)
-    (shoulder,) = cut_contact.shoulders
+    (shoulder,) = present(cut_contact.numbers.shoulder).cuts
     assert scene["shoulders"] == [None, pytest.approx(1e3 * shoulder)]
     row = seen["cut, above"][HEIGHT // 2 - 3 : HEIGHT // 2 + 3]
     scale = HEIGHT / 2 / scene["half_size"] * 1e3

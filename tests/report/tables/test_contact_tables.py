@@ -3,24 +3,24 @@
 import re
 from dataclasses import replace
 from io import StringIO
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 from rich.console import Console
 
+from fembearing.check.comparison import compared, compared_with
 from fembearing.check.contact.load_series import LoadPoint, LoadSeries
-from fembearing.check.contact.power_law import StiffnessLaw
-from fembearing.check.contact.subsurface import NAMES, comparison_below
+from fembearing.check.contact.stiffness_law import StiffnessLaw
+from fembearing.check.contact.subsurface import NAMES, SubsurfaceComparison
 from fembearing.check.validation import Validation
-from fembearing.grid_convergence import Estimate
 from fembearing.plain_types import plain
 from fembearing.report.report import report_of
 from fembearing.report.tables.contacts import pocket_table, series_table, subsurface_table
 from fembearing.report.terminal.table import show
 from fembearing.report.terminal.validation import print_details
 from tests.analytic.specimens import present
-from tests.report.figures.figure_reader import as_document
 
 NARROW = 80  # columns, of a pipe
 
@@ -69,12 +69,11 @@ def test_what_is_not_known_of_a_limit_is_neither_pass_nor_fail(made: Validation)
 
 def test_a_stress_has_its_share_and_a_depth_its_length() -> None:
     """Hertz's von Mises stress is greatest on the surface here: a length is off, no share."""
-    below = comparison_below(
-        "lower",
-        hertz=dict(zip(NAMES, (0.612e9, 75.3e-6, 1.12e9, 0.0), strict=True)),
-        fe=dict(zip(NAMES, (0.6e9, 75e-6, 1.11e9, 3.5e-6), strict=True)),
-        uncertainty=dict(zip(NAMES, (0.003e9, 0.61e-6, 0.0222e9, 1.4e-6), strict=True)),
-    )
+    hertz, by_fe = (0.612e9, 75.3e-6, 1.12e9, 0.0), (0.6e9, 75e-6, 1.11e9, 3.5e-6)
+    found = map(compared, hertz, by_fe, (0.003e9, 0.61e-6, 0.0222e9, 1.4e-6))
+    quantities = dict(zip(NAMES, found, strict=True))
+    quantities[NAMES[-1]] = replace(quantities[NAMES[-1]], discrepancy=None)
+    below = SubsurfaceComparison(side="lower", quantities=quantities)
     out = StringIO()
     show(Console(file=out, width=NARROW), subsurface_table(below))
     rows = rows_of(out.getvalue())
@@ -87,18 +86,25 @@ def test_a_stress_has_its_share_and_a_depth_its_length() -> None:
         assert row in rows
 
 
-def pocket(geometry: str, approach: float, stiffness: float, uncertainty: dict[str, float]) -> dict[str, Any]:
-    fe = {"approach": approach, "stiffness": stiffness}
-    hertz = {"approach": 0.6e-6, "stiffness": 60e9}
-    return {"pair": "pocket", "geometry": geometry, "load": 28.5, "hertz": hertz, "fe": fe, "uncertainty": uncertainty}
+def pocket(geometry: str, approach: tuple[float, float], stiffness: tuple[float, float]) -> Any:
+    """By finite elements, with uncertainty each, relative."""
+    found = {"approach": compared(0.6e-6, approach[0], approach[1] * approach[0])}
+    found |= {"stiffness": compared(60e9, stiffness[0], stiffness[1] * stiffness[0])}
+    hertz, reference = (
+        SimpleNamespace(approach=0.6e-6, stiffness=60e9),
+        SimpleNamespace(approach=approach[0], stiffness=stiffness[0]),
+    )
+    return SimpleNamespace(
+        pair="pocket", geometry=geometry, load=28.5, quantities=found, hertz=hertz, reference=reference
+    )
 
 
 def test_a_pocket_is_softer_by_its_sheet_which_is_a_spring_in_series() -> None:
     """28.5 N over the 0.3 um that the sheet adds; no spring where that is uncertain, no table without a pocket."""
-    seat = pocket("real", 0.58e-6, 63e9, {"approach": 0.01, "stiffness": 0.015})
-    sheet = pocket("wall", 0.88e-6, 39e9, {"approach": 0.02, "stiffness": 0.03})
-    race = seat | {"pair": "inner", "load": 371.5}
-    table = present(pocket_table(as_document({"contacts": [race, race, seat, sheet]}).contacts))
+    seat = pocket("real", (0.58e-6, 0.01), (63e9, 0.015))
+    sheet = pocket("wall", (0.88e-6, 0.02), (39e9, 0.03))
+    race: Any = SimpleNamespace(pair="inner")
+    table = present(pocket_table([race, race, seat, sheet]))
     assert table.label.endswith("at 28.5 N")
     assert table.groups[0].rows == [
         ["half spaces, Hertz", "60.00", "", "+0.0%", "0.6000"],
@@ -107,28 +113,27 @@ def test_a_pocket_is_softer_by_its_sheet_which_is_a_spring_in_series() -> None:
     ]
     # 0.0058 and 0.0176 of 0.3 um
     assert table.notes == ["Sheet in series with the seat: 95 N/um +- 7.80%, for cage.sheet_stiffness."]
-    stiff = sheet | {"fe": seat["fe"] | {"approach": 0.59e-6}}
-    assert present(pocket_table(as_document({"contacts": [seat, stiff]}).contacts)).notes == []
-    assert pocket_table(as_document({"contacts": [race]}).contacts) is None
+    stiff = pocket("wall", (0.59e-6, 0.02), (39e9, 0.03))
+    assert present(pocket_table([seat, stiff])).notes == []
+    assert pocket_table([race]) is None
 
 
 def under(load: float, hertz: float, approach: float, mesh: float, tangent: tuple[Any, Any]) -> LoadPoint:
     """One load of a series; mesh : relative uncertainty, beside 4 % of the domain"""
+    uncertainty = float(np.hypot(mesh, 0.04)) * approach
     return LoadPoint(
         load=load,
-        approach=Estimate(values=(0.9 * approach, approach), order=None, richardson=None, mesh=mesh, domain=0.04),
-        others={},
-        hertz_approach=hertz,
+        quantities={"approach": compared(hertz, approach, uncertainty)},
         tangent=tangent[0],
         tangent_uncertainty=tangent[1],
-        verdict="pass",
+        hertz_tangent=1.5 * load / hertz,
     )
 
 
 def series(**changed: Any) -> LoadSeries:
-    known: Any = as_document({"pair": "pocket", "contact_angle": 0.0})
     given: dict[str, Any] = {
-        "contact": known,
+        "pair": "pocket",
+        "contact_angle": 0.0,
         "geometry": "wall",
         "tolerance": 0.05,
         "points": (
@@ -139,7 +144,8 @@ def series(**changed: Any) -> LoadSeries:
         "law": None,
         "pocket_law": None,
         "hertz_stiffness": 60e9,
-        **dict.fromkeys(("solutions", "warnings"), ()),
+        "verdict": "shown",
+        "warnings": (),
         "meshes": 3,
         "seconds": 12.3,
         "peak_memory": None,
@@ -162,12 +168,19 @@ def test_each_load_of_a_series_has_its_approach_and_its_tangent() -> None:
 
 
 def test_the_law_of_a_series_has_the_uncertainties_that_are_known() -> None:
-    law = StiffnessLaw(stiffness=24.5e9, exponent=1.47, stiffness_uncertainty=0.21, misfit=0.012, propagated=0.005)
+    law = StiffnessLaw(
+        stiffness=24.5e9,
+        exponent=1.47,
+        stiffness_uncertainty=0.21,
+        misfit=0.012,
+        propagated=0.005,
+        exponent_uncertainty=0.017,
+    )
     assert series_table(series(law=law)).notes[0] == (
         "F = K delta^n: K 24.5 GN/m^1.4700 +- 21.00%, n 1.4700 +- 0.0170 by finite elements; 60 GN/m^1.5 and 1.5 by "
         "Hertz."
     )
-    two = replace(law, stiffness_uncertainty=None, misfit=None)
+    two = replace(law, stiffness_uncertainty=None, misfit=None, exponent_uncertainty=None)
     said = series_table(series(law=two)).notes[0]
     assert "K 24.5 GN/m^1.4700, n 1.4700 (power law assumed) by finite elements" in said
 
@@ -175,8 +188,15 @@ def test_the_law_of_a_series_has_the_uncertainties_that_are_known() -> None:
 def test_every_word_of_the_table_fits(checked: Validation) -> None:
     """The widest verdict beside the widest numbers."""
     inner = checked.contacts[0]
-    parts = {name: replace(part, mesh=0.789, order=None, corrected=()) for name, part in inner.estimates.items()}
-    wide = replace(checked, contacts=(replace(inner, estimates=parts, tolerance=0.3), *checked.contacts[1:]))
+    found = inner.numbers
+    parts = {
+        name: compared_with(
+            replace(part, mesh=0.789, order=None, corrected=()), found.quantities[name].production, verdict="undecided"
+        )
+        for name, part in found.estimates.items()
+    }
+    inner = inner.with_numbers(quantities=parts, verdict="undecided", tolerance=0.3)
+    wide = replace(checked, contacts=(inner, *checked.contacts[1:]))
     rows = [line for line in text_of(wide).splitlines() if " none " in line][: len(parts)]  # the inner race comes first
     assert len(rows) == len(parts)
     assert all(row.rstrip().endswith("undecided") for row in rows)
@@ -193,7 +213,7 @@ def test_a_scene_without_friction_is_told_that_there_is_no_torque(checked: Valid
 
 @pytest.mark.parametrize("verdict", ["pass", "outside validity"])
 def test_the_last_line_is_the_verdict(checked: Validation, verdict: str) -> None:
-    inner = replace(checked.contacts[0], valid=verdict == "pass")
+    inner = checked.contacts[0].with_numbers(verdict=verdict)
     result = replace(checked, contacts=(inner, *checked.contacts[1:]))
     overall = {"pass": "pass", "outside validity": "fail"}[verdict]
     assert text_of(result).splitlines()[-1] == f"{overall}: comparison {verdict}, numerical pass, physical pass"

@@ -7,28 +7,28 @@ import numpy as np
 import pytest
 
 from analytic.rows import OperatingPoint
-from fembearing.check.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
+from fembearing.check.comparison import Comparison, compared
+from fembearing.check.creep.scene_creep import CreepNumbers, RaceNumbers
 from fembearing.report.tables.creep import creep_table
 
 RPM = np.pi / 30  # rad/s
-NOTHING = CreepQuantity(formula=0.0, production=0.0, reference=0.0, uncertainty=2e-6)
-SUMS = CreepQuantity(formula=3.1e-3, production=2.9e-3, reference=2.5e-3, uncertainty=1.23e-4)
+NOTHING = compared(0.0, 0.0, 2e-6, formula=0.0)
+SUMS = compared(2.9e-3, 2.5e-3, 1.23e-4, formula=3.1e-3)
 
 
-def race(**known: CreepQuantity) -> RaceNumbers:
+def race(**known: Comparison) -> RaceNumbers:
     names = ("creepage_along", "creepage_across", "spin_creepage", "spin_moment", "rolling_moment", "transverse_force")
     quantities: Any = dict.fromkeys((*names, "slip_share", "power"), NOTHING) | known
     return RaceNumbers(
-        contact_angle=0.31, load=87.0, semi_axis_rolling=0.12e-3, semi_axis_transverse=0.9e-3, **quantities
+        contact_angle=0.31, load=87.0, semi_axis_rolling=0.12e-3, semi_axis_transverse=0.9e-3, quantities=quantities
     )
 
 
-def numbers(**changed: Any) -> CreepNumbers:
+def numbers(inner: RaceNumbers | None = None, **changed: Any) -> CreepNumbers:
     given: dict[str, Any] = {
         "point": OperatingPoint(axial_load=700.0, inner_speed=600 * RPM, radial_load=0.0, moment=0.0),
         "friction_coefficient": None,
-        "inner": race(),
-        "outer": race(),
+        "races": {"inner": inner or race(), "outer": race()},
         "torque": SUMS,
         "solved_balls": 3,
         "different_balls": 3,
@@ -44,9 +44,8 @@ def numbers(**changed: Any) -> CreepNumbers:
 
 @pytest.mark.parametrize("method", ["formula", "production", "reference"])
 def test_a_quantity_has_a_row_if_one_method_finds_more_than_the_uncertainty(method: str) -> None:
-    known: Any = {"formula": 0.0, "production": 0.0, "reference": 0.0} | {method: -5e-6}
-    moment, zero = CreepQuantity(**known, uncertainty=2e-6), replace(NOTHING, uncertainty=0.0)
-    creep = numbers(inner=race(spin_moment=moment, power=zero))
+    moment, zero = replace(NOTHING, **{method: -5e-6}), replace(NOTHING, uncertainty=0.0)  # pyright: ignore[reportArgumentType]
+    creep = numbers(race(spin_moment=moment, power=zero))
     inner, outer, whole = creep_table(creep).groups
     assert [row[0] for row in inner.rows] == ["spin moment, N mm"]
     assert outer.rows == []
@@ -56,13 +55,13 @@ def test_a_quantity_has_a_row_if_one_method_finds_more_than_the_uncertainty(meth
 def test_a_quantity_has_its_three_values_and_a_star_beyond_the_uncertainty() -> None:
     """Of a reference that may be 0, the uncertainty is in the unit of the row."""
     inner = race(
-        creepage_along=CreepQuantity(formula=-2.4e-3, production=-2.1e-3, reference=-2e-3, uncertainty=0.2e-3),
-        spin_creepage=CreepQuantity(formula=2600.0, production=2200.0, reference=2500.0, uncertainty=50.0),
-        rolling_moment=CreepQuantity(formula=5e-6, production=4e-6, reference=3e-6, uncertainty=4e-6),
-        slip_share=CreepQuantity(formula=0.97, production=0.66, reference=0.6, uncertainty=0.03),
-        power=CreepQuantity(formula=0.45, production=0.25, reference=0.25, uncertainty=0.0),
+        creepage_along=compared(-2.1e-3, -2e-3, 0.2e-3, formula=-2.4e-3),
+        spin_creepage=compared(2200.0, 2500.0, 50.0, formula=2600.0),
+        rolling_moment=compared(4e-6, 3e-6, 4e-6, formula=5e-6),
+        slip_share=compared(0.66, 0.6, 0.03, formula=0.97),
+        power=compared(0.25, 0.25, 0.0, formula=0.45),
     )
-    first, _, whole = creep_table(numbers(inner=inner)).groups
+    first, _, whole = creep_table(numbers(inner)).groups
     assert first.title == "Friction on the inner race: 87 N at 17.76 deg, inner ring at 600 rpm"
     assert first.rows == [
         ["creepage along", "-0.0024", "-0.0021", "-0.002", "+5.0%  ", "10.0%"],

@@ -4,26 +4,19 @@ from typing import Any
 
 import numpy as np
 
-from fembearing.check.film.scene_film import FilmNumbers, FilmQuantity
+from fembearing.check.comparison import Comparison, compared
+from fembearing.check.film.scene_film import FilmNumbers
 from fembearing.ehl.contact import Reach
+from fembearing.grid_convergence import Estimate
 from fembearing.quantities import INCH_POUND
 from fembearing.report.tables.film import film_table
 
 RPM = np.pi / 30  # rad/s
 
 
-def quantity(
-    formula: float, production: float, numerical: float, uncertainty: float, order: Any = 2.13
-) -> FilmQuantity:
-    off = production / numerical - 1
-    return FilmQuantity(
-        formula=formula,
-        production=production,
-        numerical=numerical,
-        uncertainty=uncertainty,
-        discrepancy=off,
-        order=order,
-    )
+def quantity(formula: float, production: float, numerical: float, uncertainty: float, order: Any = 2.13) -> Comparison:
+    study = Estimate(values=(numerical,), order=order, richardson=None, mesh=uncertainty / numerical)
+    return compared(production, numerical, uncertainty, formula=formula, study=study)
 
 
 FILM = FilmNumbers(
@@ -37,10 +30,12 @@ FILM = FilmNumbers(
     loading=214.0,
     thickening=6.7,
     ellipticity=0.124,
-    central_film=quantity(0.52e-6, 0.55e-6, 0.5e-6, 0.02e-6),
-    minimum_film=quantity(0.29e-6, 0.294e-6, 0.3e-6, 0.009e-6, order=None),
-    rolling_force=quantity(3.6e-3, 2.25e-3, 3e-3, 0.6e-3),
-    pressure_centre=quantity(8.2e-6, 8e-6, 8e-6, 0.0),
+    quantities={
+        "central_film": quantity(0.52e-6, 0.55e-6, 0.5e-6, 0.02e-6),
+        "minimum_film": quantity(0.29e-6, 0.294e-6, 0.3e-6, 0.009e-6, order=None),
+        "rolling_force": quantity(3.6e-3, 2.25e-3, 3e-3, 0.6e-3),
+        "pressure_centre": quantity(8.2e-6, 8e-6, 8e-6, 0.0),
+    },
     dissipated_force=3.9e-3,
     verdict="undecided",
     tolerance=0.05,

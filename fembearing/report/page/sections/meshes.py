@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
+from fembearing.check.contact.solution import ContactNumbers
 from fembearing.grid_convergence import Estimate
 from fembearing.quantities import Units
-from fembearing.report.contact import ContactRecord
 from fembearing.report.phrases import contact_title, digits, quantities_of, shown
 from fembearing.report.report import Report
 from fembearing.report.tables.table import Group, Head, Row, Table
@@ -29,9 +29,9 @@ def mesh_grid(document: Report) -> Table:
     return Table("meshes of each contact", HEADS, groups)
 
 
-def _rows(contact: ContactRecord, units: Units) -> Iterator[Row]:
+def _rows(contact: ContactNumbers, units: Units) -> Iterator[Row]:
     for name, quantity in quantities_of(contact, units).items():
-        study, factor = contact.convergence[name], quantity.shown.factor
+        study, factor = contact.estimates[name], quantity.shown.factor
         yield [
             quantity.heading,
             _on_meshes(study, factor),

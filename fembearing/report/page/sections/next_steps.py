@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from fembearing.report.contact import ContactRecord
+from fembearing.check.contact.solution import ContactNumbers
 from fembearing.report.phrases import place_of, quantities_of
 from fembearing.report.report import Report
 
@@ -32,9 +32,9 @@ def next_section(document: Report) -> NextSection:
     )
 
 
-def _of_contact(document: Report, contact: ContactRecord) -> Iterator[Step]:
+def _of_contact(document: Report, contact: ContactNumbers) -> Iterator[Step]:
     """The steps that the verdicts on one contact call for."""
-    rows, names = document.verdicts_on(contact), quantities_of(contact)
+    rows, names = contact.quantities, quantities_of(contact)
     place = place_of(contact.pair, contact.geometry, contact.bearing)
 
     def named(verdict: str) -> str:
@@ -46,14 +46,14 @@ def _of_contact(document: Report, contact: ContactRecord) -> Iterator[Step]:
             "finite-element values, or a wider tolerance"
         )
         if contact.corrected:
-            worst = max(abs(error) for error in contact.corrected.interpolation_error.values)
+            worst = max(abs(error) for error in contact.interpolation_error.values())
             remedy = f'effects.finite_geometry = "on" corrects Hertz, to {worst:.2%} of the finite elements here'
         yield Step(f"{place}: Hertz fails in {failed}", remedy)
     open_to_meshes, open_beyond = [], []
     for name, row in rows.items():
         if row.verdict == "undecided":
-            from_tolerance = abs(abs(row.discrepancy) - document.tolerance)
-            beyond = from_tolerance <= contact.convergence[name].domain  # which no finer mesh lowers
+            from_tolerance = abs(abs(row.difference) - document.tolerance)
+            beyond = from_tolerance <= contact.estimates[name].domain  # which no finer mesh lowers
             (open_beyond if beyond else open_to_meshes).append(names[name].name)
     if open_to_meshes:
         command = f'fembearing contact SCENE --pair {contact.pair} --tolerance "{100 * document.tolerance / 20:.2g} %"'

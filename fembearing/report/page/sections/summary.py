@@ -9,8 +9,8 @@ from analytic.scenefile.inputs import StatedInput
 from analytic.standing import Standing
 from analytic.verdicts import NumericalCheck
 from fembearing.check.contact.bearings import which_bearing
+from fembearing.check.contact.solution import ContactNumbers
 from fembearing.quantities import CONTACT, Units
-from fembearing.report.contact import ContactRecord
 from fembearing.report.headline import ends_of
 from fembearing.report.page.sections.bearing import Facts, facts_of
 from fembearing.report.phrases import (
@@ -137,7 +137,8 @@ def _figure(name: str, torque: SceneTorque, index: int, units: Units) -> Figure:
 def _boxes(document: Report) -> list[Box]:
     """Each kind of verdict in a word and a sentence."""
     verdict, torque = document.verdict, document.solved
-    compared = Counter(row.verdict for row in document.verdicts)
+    judged = (contact for contact in document.contacts if contact.judged)
+    compared = Counter(each.verdict for contact in judged for each in contact.quantities.values())
     words = f"Contacts, Hertz against finite elements, tolerance {percent(document.tolerance)}: {_counted(compared)}."
     others = (f"{name.capitalize()}: {word}." for name, word in document.compared.items() if name != "contacts")
     assert verdict.comparison is not None  # contacts are always compared
@@ -192,17 +193,17 @@ def _contacts(document: Report) -> Table:
     return without_zero_angles(table_of("contacts", heads, rows))
 
 
-def _contact(document: Report, contact: ContactRecord) -> list[str]:
-    verdicts, shown = document.verdicts_on(contact), document.units.pressure
+def _contact(document: Report, contact: ContactNumbers) -> list[str]:
+    found, shown = contact.quantities, document.units.pressure
     return [
         "cage pocket" if contact.pair == "pocket" else f"{contact.pair} race{which_bearing(contact.bearing)}",
         digits(contact.load, document.units.force.factor, 4),
         "-" if contact.pair == "pocket" else angle_cell(contact.contact_angle),
-        digits(contact.hertz.peak_pressure, shown.factor, 4),
-        digits(contact.fe.peak_pressure, shown.factor, 4),
+        digits(found["peak_pressure"].production, shown.factor, 4),
+        digits(found["peak_pressure"].reference, shown.factor, 4),
         *(
-            f"{100 * row.discrepancy:+.2f} \N{PLUS-MINUS SIGN} {100 * row.relative_uncertainty:.2f}"
-            for row in (verdicts[name] for name in CONTACT)
+            f"{100 * each.difference:+.2f} \N{PLUS-MINUS SIGN} {100 * each.uncertainty / each.reference:.2f}"
+            for each in (found[name] for name in CONTACT)
         ),
         contact.verdict,
     ]

@@ -1,6 +1,8 @@
-"""F = K delta^n fitted to a load series, and its tangents, both with uncertainties.
+"""The stiffness laws of a contact under many loads, fitted with uncertainties.
 
-F: load, N, exact; delta: approach, m, each with its own half-width.
+F = K delta^n with its tangents; in the sheet of a cage pocket delta = (F/K)^(2/3) + F/k, a local contact and a sheet
+that bends. Bending is linear in the load and the local contact is not: one stiffness K of both holds at a single load.
+F: load, N, exact; delta: approach, m, each with its own half-width; k: stiffness of the sheet, N/m.
 """
 
 from collections.abc import Sequence
@@ -27,11 +29,7 @@ class StiffnessLaw:
     stiffness_uncertainty: float | None  # of K, relative half-width, 95 %: large, as 1 m is far from any approach
     misfit: float | None  # of the exponent, from the deviation of the loads from a power law
     propagated: float  # of the exponent, from uncertain approaches
-
-    @property
-    def exponent_uncertainty(self) -> float | None:
-        """Half-width of the exponent, 95 %, absolute: the sum of both parts, as they may depend on each other."""
-        return None if self.misfit is None else self.misfit + self.propagated
+    exponent_uncertainty: float | None  # absolute, 95 %: the sum of both parts, as they may depend on each other
 
     def load(self, approach: ArrayLike) -> Array:
         """Load of the fitted law.
@@ -86,12 +84,15 @@ def fit_law(data: LawData) -> StiffnessLaw | None:
     exponent = 1 / slope
     logarithm = -intercept * exponent  # of K
     _, moves, _, uncertain = _fitted(data, basis, of=np.array([[-exponent, -logarithm * exponent]]))  # d ln K
+    propagation = float(exponent**2 * propagated[0])
+    misfit = float(exponent**2 * deviation * np.linalg.norm(weights)) if data.redundant else None
     return StiffnessLaw(
         stiffness=float(np.exp(logarithm)),
         exponent=float(exponent),
         stiffness_uncertainty=float(deviation * np.linalg.norm(moves) + uncertain[0]) if data.redundant else None,
-        misfit=float(exponent**2 * deviation * np.linalg.norm(weights)) if data.redundant else None,
-        propagated=float(exponent**2 * propagated[0]),
+        misfit=misfit,
+        propagated=propagation,
+        exponent_uncertainty=None if misfit is None else misfit + propagation,
     )
 
 
@@ -137,3 +138,56 @@ def _fitted(data: LawData, basis: Array, *, of: Array) -> tuple[Array, Array, fl
     alike = (cell[:, None] == np.unique(cell)).astype(float)
     crossing = np.sqrt(np.sum(((weights * data.crossing) @ alike) ** 2, axis=1))
     return coefficients, weights, deviation, weights @ data.common + crossing
+
+
+@dataclass(frozen=True, kw_only=True)
+class PocketLaw:
+    """The law fitted to a series. Uncertainties are relative half-widths, 95 %; None for two loads: they always fit."""
+
+    stiffness: float  # K, N/m^1.5
+    stiffness_uncertainty: float | None
+    sheet: float  # k, N/m
+    sheet_uncertainty: float | None
+
+    def approach(self, load: ArrayLike) -> Array:
+        """Approach of the fitted law.
+
+        Parameters
+        ----------
+        load : array_like, any shape
+            F, N.
+
+        Returns
+        -------
+        ndarray
+            delta, m, of the shape of load.
+        """
+        force = np.asarray(load, dtype=np.float64)
+        return (force / self.stiffness) ** (2 / 3) + force / self.sheet
+
+
+def fit_pocket_law(data: LawData) -> PocketLaw | None:
+    """The law through two loads or more, by least squares of relative errors; None for one, or without bending.
+
+    The uncertainty is the deviation of the loads from the law plus what the uncertain approaches bring, with the most
+    unfavourable signs.
+    """
+    if data.load.size < 2:
+        return None
+    basis = np.column_stack([data.load ** (2 / 3), data.load]) / data.approach[:, None]
+    inverse = np.asarray(np.linalg.pinv(basis), dtype=np.float64)
+    local, bending = inverse.sum(axis=1)
+    if min(local, bending) <= 0:
+        return None
+    left = data.load.size - 2
+    relative = [None, None]
+    if left > 0:
+        deviation = np.sqrt(np.sum((basis @ [local, bending] - 1) ** 2) / left) * stdtrit(left, (1 + CONFIDENCE) / 2)
+        uncertain = np.linalg.norm(inverse, axis=1) * deviation + np.abs(inverse) @ (data.common + data.crossing)
+        relative = [float(1.5 * uncertain[0] / local), float(uncertain[1] / bending)]
+    return PocketLaw(
+        stiffness=float(local**-1.5),
+        stiffness_uncertainty=relative[0],
+        sheet=float(1 / bending),
+        sheet_uncertainty=relative[1],
+    )

@@ -6,17 +6,15 @@ from typing import Any
 
 import pytest
 
-from fembearing.check.contact import discrepancy
-from fembearing.check.contact.discrepancy import ContactSolution
-from fembearing.report.contact import sheet_in_series
+from fembearing.check.comparison import compared
+from fembearing.check.contact import solution
+from fembearing.check.contact.solution import ContactSolution, sheet_in_series
 from tests.analytic.specimens import present
 
 
 def pocket(approach: float, uncertainty: float) -> Any:
     """A pocket under 28 N."""
-    return SimpleNamespace(
-        load=28.0, fe=SimpleNamespace(approach=approach), uncertainty=SimpleNamespace(approach=uncertainty)
-    )
+    return SimpleNamespace(load=28.0, quantities={"approach": compared(0.6e-6, approach, uncertainty * approach)})
 
 
 def test_the_sheet_is_softer_by_what_it_adds_to_the_approach() -> None:
@@ -32,7 +30,7 @@ def test_the_sheet_is_softer_by_what_it_adds_to_the_approach() -> None:
 def test_half_a_contact_says_that_no_stress_below_it_is_computed(
     command, cut_contact: ContactSolution, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(discrepancy, "solve_contact", lambda *_, **__: cut_contact)
+    monkeypatch.setattr(solution, "solve_contact", lambda *_, **__: cut_contact)
     told, printed = (command("contact", *form) for form in (["--json"], []))
     found = json.loads(told.out)
     assert found["subsurface"] is None

@@ -1,4 +1,4 @@
-"""A contact of true shape under many loads, by the compliance of the pair: all quantities at every load.
+"""The compliance of a pair of true shape: for a contact under many loads, and for film and friction.
 
 The compliance is sampled at a few loads and interpolated between them; each load then takes one solution on pixels. Two
 levels of a recipe are extrapolated and give the uncertainty. The effects of far boundary and true sides come from the
@@ -8,12 +8,12 @@ compliances of other blocks, at the same loads.
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import partial
+from typing import Literal
 
 import numpy as np
 from scipy.interpolate import CubicSpline
 
 from analytic.scene import Contact
-from fembearing.check.contact.mesh_refinement import COMPARED, Estimates
 from fembearing.check.contact.meshed_region import (
     Boundary,
     changes,
@@ -22,9 +22,16 @@ from fembearing.check.contact.meshed_region import (
     sides_matter,
     with_effect_of_sides,
 )
-from fembearing.check.contact.twin_refinement import ORDER, ORDERS
+from fembearing.check.contact.refinement import COMPARED, ORDER, ORDERS, Estimates
+from fembearing.check.contact.scene_contact import recipe_of
 from fembearing.check.contact.uncertainty import LEFT_WITH_TWIN, on_pixels
-from fembearing.fem.compliance import ComplianceOverLoad, PairCompliance, compliance_over_load, sampled_compliance
+from fembearing.fem.compliance import (
+    ComplianceOverLoad,
+    PairCompliance,
+    compliance_over_load,
+    sampled_compliance,
+    whole_compliance,
+)
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.pixel_contact import PixelSolution, press_pair
 from fembearing.fem.solution import condensed_pair
@@ -178,3 +185,16 @@ def sampling_loads(loads: Sequence[float]) -> tuple[float, ...]:
 def ends_before_shoulder(contact: Contact) -> bool:
     """Whether the expected ellipse of a contact leaves room to the nearer shoulder."""
     return AWAY * expected_semi_axes(contact, geometry="real")[1] < contact.nearer_shoulder
+
+
+Compliance = Literal["half-space", "meshed"]
+
+
+def meshed_pair(contact: Contact) -> PairCompliance:
+    """The compliance of a ball on its race for pressure and tractions, from the first level of their recipe.
+
+    Raises InputError as `whole_compliance`.
+    """
+    recipe = recipe_of("real", pair=contact.pair)
+    semi_axes = expected_semi_axes(contact, geometry=recipe.geometry)
+    return whole_compliance(contact, recipe=recipe, level=recipe.levels[0], semi_axes=semi_axes)

@@ -1,0 +1,135 @@
+"""One contact by Hertz and by finite elements: what is reported against what was solved."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from io import StringIO
+
+import pytest
+from rich.console import Console
+
+from analytic.errors import InputError
+from analytic.progress import silent
+from analytic.scene import Contact
+from fembearing.check.contact.hertz import corrected_hertz, hertz_quantities
+from fembearing.check.contact.refinement import COMPARED, solve_reference
+from fembearing.check.contact.solution import ContactSolution, compare_contact, is_correctable
+from fembearing.mesh.recipe import Recipe, load_recipe
+from fembearing.report.tables.contacts import contact_table
+from fembearing.report.terminal.table import show
+from tests.analytic.specimens import present
+
+
+@pytest.mark.parametrize("changed", [{"production": math.nan}, {"reference": math.inf}, {"uncertainty": math.nan}])
+def test_a_contact_with_a_number_that_is_not_finite_is_no_result(
+    cut_contact: ContactSolution, changed: dict[str, float]
+) -> None:
+    quantities = cut_contact.numbers.quantities
+    with pytest.raises(InputError, match=r"approach.* is (nan|inf), inner under 372 N"):
+        cut_contact.with_numbers(quantities=quantities | {"approach": replace(quantities["approach"], **changed)})
+
+
+def test_the_pressure_of_a_cut_contact_is_not_called_its_peak(cut_contact: ContactSolution) -> None:
+    """It is the pressure at y = 0; at the shoulder it has no bound."""
+    assert cut_contact.meshes[-1].pressure.max() > 1.02 * cut_contact.numbers.reference.peak_pressure
+    out = StringIO()
+    show(Console(file=out, width=80), contact_table([cut_contact.numbers]))
+    assert "peak pressure" not in out.getvalue()
+    assert "pressure at y = 0, GPa" in out.getvalue()
+
+
+def test_an_ellipse_over_the_shoulder_is_not_judged(cut_contact: ContactSolution) -> None:
+    found, load = cut_contact.numbers, cut_contact.contact.load
+    assert found.verdict == "outside validity"
+    assert "0.800 mm" in " ".join(found.warnings)
+    assert "half of the contact, " in found.method
+    shoulder = present(found.shoulder)
+    assert (shoulder.sides, shoulder.half) == ({"above": 0.8e-3}, True)
+    assert shoulder.centroid.reference < 0 < shoulder.centroid.relative_uncertainty
+    # Half an ellipse of height p0 over twice the semi-axis a
+    hertz, share, line = found.hertz, shoulder.strip_share, shoulder.strip_line_load
+    ridge = math.pi / 2 * hertz.semi_axis_rolling * hertz.peak_pressure
+    assert shoulder.hertz_line_load == pytest.approx(ridge, rel=1e-9)
+    # Hertz's line load 3 Q/(4 b) (1 - y^2/b^2) is 0.36 of its greatest in the middle of the strip, the edge's own more
+    assert 0.36 < line.reference / ridge < 1
+    # Each with its own far boundary
+    assert line.reference * shoulder.strip_width == pytest.approx(share.reference * load, rel=1e-3)
+    for each in (shoulder.centroid, share, line):
+        assert each.relative_uncertainty > abs(each.values[-1] / each.values[-2] - 1)
+
+
+@pytest.mark.nightly
+def test_the_answer_does_not_jump_where_the_contact_reaches_its_shoulder(
+    contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
+) -> None:
+    """A quarter is meshed before, a half after: they agree within their uncertainties."""
+    reach = 0.931e-3  # m, semi-axis on the meshes
+    before, after = (
+        solve_reference(
+            replace(contacts["inner"], shoulder=side * reach), recipe=shallow("race"), accuracy=0.9, progress=silent
+        )
+        for side in (1.01, 0.99)
+    )
+    assert (before.meshes[-1].pair.footprint.half, after.meshes[-1].pair.footprint.half) == (False, True)
+    for name, part in before.estimates.items():
+        other = after.estimates[name]
+        assert abs(other.value / part.value - 1) < part.total + other.total, name
+
+
+def test_the_hertzian_idealisation_has_no_shoulder(contacts: dict[str, Contact]) -> None:
+    """Its exact answer is Hertz's."""
+    narrow = replace(contacts["inner"], shoulder=0.8e-3)
+    solution = compare_contact(narrow, recipe=load_recipe("hertzian"), tolerance=0.05)
+    assert solution.numbers.verdict == "pass"
+    assert solution.numbers.shoulder is None
+    assert not solution.numbers.warnings
+    assert max(abs(each.difference) for each in solution.numbers.quantities.values()) < 2e-3  # as without a shoulder
+
+
+@pytest.mark.slow
+def test_meshes_are_refined_as_long_as_a_finer_one_could_decide(contacts: dict[str, Contact]) -> None:
+    """Two levels reach the accuracy, but the limit lies within their interval."""
+    contact, recipe = contacts["inner"], load_recipe("race")
+    two = compare_contact(contact, recipe=recipe, tolerance=0.9)
+    found = two.numbers.quantities
+    off = abs(found["stiffness"].difference)  # Hertz's error is largest in it
+    tolerance = off + 0.7 * present(found["stiffness"].relative_uncertainty)
+    assert max(abs(each.difference) for each in found.values()) == off
+    solution = compare_contact(contact, recipe=recipe, tolerance=tolerance)
+    assert max(present(found[name].relative_uncertainty) for name in COMPARED) < tolerance  # where refinement could end
+    assert (len(two.meshes), len(solution.meshes)) == (2, 3)
+    assert solution.numbers.verdict == "pass"
+
+
+def test_above_the_static_limit_the_warning_says_so(
+    contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
+) -> None:
+    """Both sides are elastic, so their agreement proves nothing there."""
+    solution = compare_contact(
+        replace(contacts["inner"], groove_radius=5.0e-3, load=2250.0), recipe=shallow("race"), tolerance=0.9
+    )
+    assert solution.numbers.reference.peak_pressure > 4.2e9
+    assert "above the static limit, 4.2 GPa" in " ".join(solution.numbers.warnings)
+
+
+def test_hertz_is_corrected_on_races_of_true_shape_alone(contacts: dict[str, Contact]) -> None:
+    for pair, geometry, correctable in (
+        ("inner", "real", True),
+        ("outer", "ring", True),
+        ("inner", "hertzian", False),
+        ("pocket", "real", False),
+        ("pocket", "wall", False),
+    ):
+        contact = replace(contacts["inner"], pair=pair)
+        assert is_correctable(contact, geometry) == correctable  # pyright: ignore[reportArgumentType]
+
+
+def test_the_corrected_stiffness_is_that_of_the_corrected_approach(contacts: dict[str, Contact]) -> None:
+    """K = Q/delta^1.5, and it is 1.5 times as uncertain."""
+    contact = contacts["inner"]
+    corrected, reasons = corrected_hertz(contact, hertz=hertz_quantities(contact))
+    assert reasons == ()
+    quantities = present(corrected).quantities
+    assert quantities.stiffness == pytest.approx(contact.load / quantities.approach**1.5, rel=1e-9)
+    uncertainty = present(corrected).uncertainty
+    assert uncertainty["stiffness"] == pytest.approx(1.5 * uncertainty["approach"], rel=1e-12)
