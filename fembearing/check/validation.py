@@ -21,7 +21,7 @@ from analytic.scene_torque import Samples, SceneTorque, torque_of_scene
 from analytic.scenefile.parts import Given, with_tolerance
 from analytic.verdicts import Compared, Overall, Verdict, Verdicts, pressure_check
 from fembearing.check.cage_record import CageRecord, record_cage
-from fembearing.check.comparison import verdict_within, worst
+from fembearing.check.comparison import ShownVerdict, verdict_within, worst
 from fembearing.check.contact.bearings import OneBearing, bearings_of, which_bearing
 from fembearing.check.contact.columns import COLUMNS, VERDICT
 from fembearing.check.contact.scene_contact import balls_of, contact_of
@@ -97,14 +97,12 @@ class Validation(Brief):
     @property
     def compared(self) -> dict[Compared, Verdict]:
         """The worst verdict on contacts, on films, and on the friction of balls, as far as they were solved."""
-        judged: list[Verdict] = [each for contact in self.contacts if (each := contact.numbers.verdict) != "shown"]
-        found: dict[Compared, Verdict] = {"contacts": worst(judged)}
-        films: list[Verdict] = [each for film in self.films if (each := film.numbers.verdict) != "shown"]
-        if films:
-            found["film"] = worst(films)
+        found: dict[Compared, ShownVerdict] = {"contacts": worst(contact.numbers.verdict for contact in self.contacts)}
+        if self.films:
+            found["film"] = worst(film.numbers.verdict for film in self.films)
         if self.creep and self.creep_change is not None:
             found["friction"] = self._friction
-        return found
+        return {name: verdict for name, verdict in found.items() if verdict != "shown"}
 
     @property
     def _friction(self) -> Verdict:
