@@ -10,7 +10,7 @@ from analytic.columns import COORDINATES, Point
 from analytic.figures.series_axis import axis_of
 from analytic.figures.style import BLUE, GREY, RED
 from analytic.figures.torque import PARTS
-from analytic.loads.ring_state import RingState
+from analytic.result import FrictionTorque
 from analytic.rows import Two
 from analytic.scene import Contact
 from analytic.scene_torque import SceneTorque
@@ -100,14 +100,14 @@ def curve_options(results: Sequence[SceneTorque], units: Units, *, marked: float
     }
 
 
-def ring_options(ring: RingState | None, place: int, units: Units) -> Options | None:
+def ring_options(friction: FrictionTorque, place: int, units: Units) -> Options | None:
     """The loads of the balls around the ring; the radial load points down. None for a pair of bearings.
 
     Angles of the chart begin at its top, where its scale does not cross the loaded balls.
     """
+    ring, unit = friction.ring, units.force
     if ring is None:
         return None
-    unit = units.force
     turned = (np.degrees(ring.azimuth) + 180.0).tolist()
     series = []
     for side, (race, colour, kind) in enumerate((("inner", BLUE, "solid"), ("outer", RED, "dashed"))):

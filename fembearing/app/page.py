@@ -272,7 +272,7 @@ class Page:
         self.warned.set_visibility(bool(lines["warnings"]))
         self._draw("parts", part_options(found.row, found.units))
         self.legend.content = part_legend(found.row, found.units)
-        self._draw("ring", ring_options(found.result.friction.ring, found.point, found.units))
+        self._draw("ring", ring_options(found.result.friction, found.point, found.units))
         for race in ("inner", "outer"):
             contact = found.contacts.get(race)
             self._draw(race, None if contact is None else ellipse_options(contact, found.row, found.units))

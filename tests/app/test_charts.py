@@ -113,7 +113,7 @@ def test_a_bearing_at_rest_has_no_curve() -> None:
 
 def test_the_ring_is_closed_and_has_every_ball() -> None:
     ring = found().result.friction.ring
-    options = ring_options(ring, 0, METRIC)
+    options = ring_options(found().result.friction, 0, METRIC)
     assert options is not None
     assert ring is not None
     inner = series(options, "inner race")
@@ -198,7 +198,7 @@ def test_a_part_that_is_none_or_nothing_has_no_bar() -> None:
 
 
 def test_a_pair_of_bearings_has_no_ring() -> None:
-    assert ring_options(None, 0, METRIC) is None
+    assert ring_options(replace(found().result.friction, ring=None), 0, METRIC) is None
 
 
 def test_the_room_around_an_ellipse_is_that_of_its_groove() -> None:

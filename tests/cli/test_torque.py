@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from analytic.scenefile.template import scene_text
-from fembearing.cli.status import CHECK_FAILED, DONE, NOT_SOLVED
+from fembearing.cli.status import CHECK_FAILED, DONE, INPUT_AT_FAULT, NOT_SOLVED
 from tests.analytic.scenefile.scene_texts import MINE, OILED, SPEEDS, changed
 
 SERIES = changed('"700 N"', '["900 N", "400 N"]', changed(SPEEDS, '["500 rpm", "2000 rpm"]', OILED))
