@@ -8,7 +8,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from fembearing.report.schema import duty_schema
+from fembearing.report.schema import schema_of
 from tests.conftest import Result
 
 Run = Callable[..., Result]
@@ -22,8 +22,8 @@ def test_json_fits_its_schema_and_a_folder_has_everything(
     monkeypatch.chdir(tmp_path)
     ended = command("duty", *QUICK, "--json", "--out", "found")
     found = json.loads(ended.out)
-    jsonschema.validate(found, duty_schema())
-    assert json.loads(command("list", "--schema", "duty").out) == json.loads(json.dumps(duty_schema()))
+    jsonschema.validate(found, schema_of("duty"))
+    assert json.loads(command("list", "--schema", "duty").out) == json.loads(json.dumps(schema_of("duty")))
     assert (found["kind"], found["format"]) == ("fembearing duty", 1)
     folder = tmp_path / "found"
     assert {file.name for file in folder.iterdir() if file.name[0] != "."} == {

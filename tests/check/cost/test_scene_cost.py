@@ -11,8 +11,8 @@ from analytic.errors import InputError
 from analytic.progress import silent
 from analytic.scene import Autocorrelation, Contact, ContactAngle, HeightMapFile, Scene, Surface
 from analytic.scenefile.read import load_scene
-from fembearing.check.contact.discrepancy import compare_contact
-from fembearing.check.contact.mesh_refinement import COMPARED
+from fembearing.check.contact.refinement import COMPARED
+from fembearing.check.contact.solution import compare_contact
 from fembearing.check.cost.contact_ladder import contact_ladder_of, measured_contact
 from fembearing.check.cost.ladder import Ladder, measured
 from fembearing.check.cost.scene_cost import FORMULA_LADDERS, films, measure_cost

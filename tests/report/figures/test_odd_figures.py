@@ -7,7 +7,6 @@ from typing import Any, cast
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from tests.report.prediction_rows import content, prediction_of
 
 from analytic.errors import InputError
 from analytic.figures.torque import MOST_NAMES, DrawnTorque, torque_figure
@@ -21,6 +20,7 @@ from fembearing.report.figures.torque import friction_plot, torque_plot
 from fembearing.report.report import Report
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document, labels_of, line_of, points_of, require_legible
+from tests.report.figures.intervals import interval_of
 from tests.report.measured_rows import comparison, row
 
 
@@ -164,15 +164,12 @@ def names_of(panel: Axes) -> list[str]:
 
 
 def test_at_most_eight_inputs_are_drawn_and_none_below_half_a_per_cent() -> None:
-    rows = prediction_of(content())
     for indices, drawn in (
         ([0.9 - 0.01 * number for number in range(9)], 8),
         ([0.5, 0.0051, 0.0049], 2),
     ):
-        inputs = tuple(replace(rows.inputs[0], key=f"bearing.part_{number}") for number in range(len(indices)))
-        values = dict.fromkeys(("first", "total", "first_error", "total_error"), tuple(indices))
-        points = tuple(replace(point, indices=replace(point.indices, **values)) for point in rows.points)
-        figure = interval_figure(replace(rows, inputs=inputs, points=points), METRIC)
+        keys = [f"bearing.part_{number}" for number in range(len(indices))]
+        figure = interval_figure(interval_of(keys, np.transpose([indices, indices])), METRIC)
         assert names_of(figure.axes[2]) == [f"part {number}" for number in range(drawn)]
 
 

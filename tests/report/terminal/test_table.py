@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 from rich.console import Console
-from tests.report.page.test_page_numbers import Tables
 
 from fembearing.check.validation import Validation
 from fembearing.report.page.template import environment
@@ -19,6 +18,7 @@ from fembearing.report.terminal.table import MANY, printed, show
 from fembearing.report.terminal.validation import print_details
 from tests.analytic.specimens import present
 from tests.report.page.page_writer import written_page
+from tests.report.page.tables_of_page import Tables
 
 ROOMY = 400  # columns: no cell is broken into lines
 Rows = list[list[str]]
