@@ -19,7 +19,7 @@ def test_every_number_of_both_races_and_the_torque(command: Run, tmp_path: Path)
     found = json.loads(ended.out)
     for race in ("inner", "outer"):
         assert found["races"][race]["load"] == pytest.approx(370, rel=0.01)  # friction across moves the angles
-        assert found["races"][race]["quantities"].keys() == set(QUANTITIES)
+        assert found["races"][race]["quantities"].keys() >= set(QUANTITIES)
     # The law of production is within 2.5 % of 72 references (docs/theory/creep.md).
     assert found["torque"]["production"] == pytest.approx(found["torque"]["reference"], rel=0.025)
     written = json.loads((folder / "creep.json").read_text())

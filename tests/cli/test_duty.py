@@ -8,6 +8,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
+from fembearing.plain_types import FORMAT
 from fembearing.report.schema import schema_of
 from tests.conftest import Result
 
@@ -24,7 +25,7 @@ def test_json_fits_its_schema_and_a_folder_has_everything(
     found = json.loads(ended.out)
     jsonschema.validate(found, schema_of("duty"))
     assert json.loads(command("list", "--schema", "duty").out) == json.loads(json.dumps(schema_of("duty")))
-    assert (found["kind"], found["format"]) == ("fembearing duty", 1)
+    assert (found["kind"], found["format"]) == ("fembearing duty", FORMAT)
     folder = tmp_path / "found"
     assert {file.name for file in folder.iterdir() if file.name[0] != "."} == {
         "duty.json",

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 
 from analytic.errors import InputError
 from analytic.figures.torque import MOST_NAMES, DrawnTorque, torque_figure
+from analytic.loads.ring_state import Balls
 from analytic.units import METRIC
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.report.figures.contacts import approach_plot, convergence_plot, pressure_plot
@@ -92,7 +93,7 @@ def test_contacts_stand_side_by_side_in_rows_of_equal_length(document: Report) -
 
 @pytest.mark.parametrize("draw", [torque_plot, friction_plot, ring_plot])
 def test_without_a_torque_there_is_a_reason_in_place_of_a_figure(draw: Any) -> None:
-    figure, why = draw(as_document({"torque": None}))
+    figure, why = draw(as_document({"solved": None}))
     assert figure is None
     assert "neither a friction coefficient nor both lubricant and surface" in why
 
@@ -130,11 +131,13 @@ def test_at_most_so_many_bars_are_named() -> None:
 
 def balls(angles: list[float | None], **point: Any) -> Any:
     """A document of three balls, the second without a load on the inner race."""
-    found = {"azimuth": [0.3, 1.7, 3.9], "inner_load": [210.0, 0.0, 95.0], "outer_load": [212.0, 1.5, 97.0]}
-    ring = {"balls": found | {"inner_angle": angles, "outer_angle": angles}}
-    one = {"inner_speed": 31.0, "axial_load": 100.0, "radial_load": 200.0, "moment": 0.0, "ring": ring}
+    found = {"azimuth": (0.3, 1.7, 3.9), "inner_load": (210.0, 0.0, 95.0), "outer_load": (212.0, 1.5, 97.0)}
+    row = SimpleNamespace(balls=Balls(**found, inner_angle=tuple(angles), outer_angle=tuple(angles)))
+    one = {"inner_speed": 31.0, "axial_load": 100.0, "radial_load": 200.0, "moment": 0.0}
     loads = {"inner_speed": 1260.0, "axial_load": 1450.0, "radial_load": -2350.0, "moment": 0.75}
-    return as_document({"torque": {"points": [one, one | loads | point]}})
+    friction = SimpleNamespace(ring=SimpleNamespace(row=lambda _: row))
+    solved = SimpleNamespace(points=[one, one | loads | point], friction=friction)
+    return SimpleNamespace(solved=solved, units=METRIC)
 
 
 @pytest.mark.parametrize("angles", [[0.21, None, 0.17], [0.21, 0.21 + 2e-9, None]])
@@ -152,8 +155,7 @@ def test_every_ball_is_seen_and_angles_that_are_alike_look_alike(angles: list[fl
 
 def test_a_pair_has_a_reason_in_place_of_its_ring() -> None:
     found = balls([0.1, 0.2, None])
-    for each in found.torque.points:
-        each.ring = None
+    found.solved.friction.ring = None
     figure, why = ring_plot(found)
     assert figure is None
     assert "Pair of bearings" in why

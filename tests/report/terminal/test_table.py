@@ -2,7 +2,6 @@
 
 import re
 from io import StringIO
-from pathlib import Path
 
 import pytest
 from rich.console import Console
@@ -97,11 +96,11 @@ def test_text_and_page_have_the_same_cells(tables: dict[str, Table], label: str)
         assert " ".join(note.split()) in " ".join(page.text.split())
 
 
-def test_every_table_that_a_check_prints_stands_in_its_page(made: Validation, tmp_path: Path) -> None:
+def test_every_table_that_a_check_prints_stands_in_its_page(made: Validation) -> None:
     """With the same rows in the same order; the page may have more columns."""
     out = StringIO()
     print_details(Console(file=out, width=ROOMY), report_of(made))
-    page, text = Tables(written_page(made, tmp_path)), in_text(out.getvalue())
+    page, text = Tables(written_page(made)), in_text(out.getvalue())
     assert len(text) == 4 + 3 + 1 + 2 + 1  # contacts, sliding, pocket, torque and its change, limits
     for title, (_, *rows) in text.items():
         _, *long_rows = in_page(page, title)
