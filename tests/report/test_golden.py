@@ -111,7 +111,7 @@ class Words(HTMLParser):
 def text_of(page: str) -> str:
     words = Words()
     words.feed(page)
-    kept = [line for line in words.lines if not re.search(r"SHA-256|^[\d.]+(?:\.\w+)+$|^\d+\.\d+ s$", line)]
+    kept = [line for line in words.lines if not re.search(r"SHA-256|^[0-9a-f]{64}$", line)]
     return "\n".join(kept) + "\n"
 
 
