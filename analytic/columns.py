@@ -40,7 +40,7 @@ COORDINATES: dict[str, Column] = {
     "moment": Column("N m", "moment", "M"),
 }
 # What is computed there.
-COLUMNS: dict[str, Column] = {
+OF_TORQUE: dict[str, Column] = {
     "torque_total": Column("N m", "friction torque"),
     "torque_race": Column("N m", "friction torque of balls on races"),
     "torque_spin": Column("N m", "part of the friction torque by spin"),
@@ -52,10 +52,6 @@ COLUMNS: dict[str, Column] = {
     "torque_declared": Column("N m", "part of the friction torque that the scene declares for seals and drag"),
     "uncertainty_numerical": Column("1", "numerical uncertainty of the friction torque, relative"),
     "uncertainty_model": Column("1", "uncertainty of the friction torque by the model's formulas, relative, 95 %"),
-    **{
-        f"{OF_MODEL}{name}": Column("1", f"part of this uncertainty: {words}, relative")
-        for name, words in MODEL_PARTS.items()
-    },
     "contact_angle": Column("rad", "contact angle of the heaviest ball", "al"),
     "ball_load": Column("N", "load of the heaviest ball on the race where it is larger", "Q"),
     "tilt": Column("rad", "tilt of the inner ring about y under unequal loads"),
@@ -76,6 +72,14 @@ COLUMNS: dict[str, Column] = {
         for race in ("inner", "outer")
     },
     "friction_coefficient_pocket": Column("1", "friction coefficient of ball on cage pocket", "mu"),
+}
+# All numbers that are shown.
+COLUMNS: dict[str, Column] = {
+    **OF_TORQUE,
+    **{
+        f"{OF_MODEL}{name}": Column("1", f"part of the uncertainty by the model's formulas: {words}, relative, 95 %")
+        for name, words in MODEL_PARTS.items()
+    },
     "interval_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
     "interval_high": Column("N m", "upper end of the 95 % interval of the friction torque"),
     "catalogue_low": Column("N m", "lower end of the catalogue band"),

@@ -27,7 +27,6 @@ SHARE_CHECKED = (  # files and folders of tests that use `checked` or `cut_conta
     "tests/test_brief.py",
     "tests/check/contact/test_sheet.py",
     "tests/check/contact/test_solution.py",
-    "tests/check/contact/test_twin_refinement.py",
     "tests/check/test_validation.py",
 )
 PROFILE = "gate" if os.environ.get("CI") else "explore"

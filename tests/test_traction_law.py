@@ -39,7 +39,7 @@ def test_the_example_computes_with_its_law_and_names_it(command, tmp_path: Path)
     words = f"carreau-squalane of carreau-law 0.1.0, SHA-256 {law['sha256'][:12]}"
     assert found["provenance"]["traction"] == words
     assert found["run"]["scene_sha256"] != eyring["run"]["scene_sha256"]
-    totals = [one["points"][0]["torque"]["total"] for one in (found, eyring)]
+    totals = [one["points"][0]["torque_total"] for one in (found, eyring)]
     assert abs(totals[0] / totals[1] - 1) > 1e-3
 
 

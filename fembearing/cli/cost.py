@@ -2,7 +2,6 @@
 
 from typing import TYPE_CHECKING
 
-from analytic.words import percent_of
 from fembearing.cli.options import (
     AsJson,
     Given,
@@ -46,6 +45,7 @@ def cost(
 
 def _print(found: "Cost") -> None:
     """Each ladder with error, bound, time and memory, and the machine."""
+    from analytic.words import percent_of
     from fembearing.cli.console import out
     from fembearing.report.tables.cost import cost_table
     from fembearing.report.terminal.table import show

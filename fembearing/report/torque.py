@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import MinLen
 
@@ -12,7 +12,6 @@ from analytic.columns import rows_of
 from analytic.effects import Effect
 from analytic.left_out import LeftOut
 from analytic.loads.ring_state import RingPoint
-from analytic.prediction.prediction import Prediction
 from analytic.prediction.rows import COVERED
 from analytic.prediction.spreads import UncertainInput
 from analytic.result import PairPart
@@ -23,6 +22,9 @@ from analytic.scenefile.inputs import StatedInput
 from analytic.standing import Standing
 from analytic.verdicts import Verdicts
 from fembearing.plain_types import plain
+
+if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
+    from analytic.prediction.prediction import Prediction
 
 Points = tuple[Mapping[str, float | None], ...]  # the numbers of each operating point by the names of `COLUMNS`
 
@@ -141,7 +143,7 @@ def _pair(pair: PairPart, result: SceneTorque) -> PairContent:
     return PairContent(kind=pair.kind, **of_pair, points=rows_of(result.places.columns(pair.columns())))
 
 
-def _prediction(prediction: Prediction, result: SceneTorque) -> PredictionContent:
+def _prediction(prediction: "Prediction", result: SceneTorque) -> PredictionContent:
     same = ("inputs", "not_varied", "samples", "failed", "reasons", "seed", "seconds", "evaluation_seconds")
     return PredictionContent(
         covered=COVERED,

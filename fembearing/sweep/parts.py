@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.columns import COLUMNS
+from analytic.columns import OF_TORQUE
 from analytic.errors import FembearingError
 from analytic.labelled import Column
 from analytic.prediction.formulas import with_model_uncertainty
@@ -84,7 +84,7 @@ def column_notes(grid: Grid) -> dict[str, Column]:
     """Unit and meaning of each column; a column of words has no unit."""
     if grid.what == "contact":
         return FAILURE | VERDICT | of_contact.COLUMNS
-    return FAILURE | COLUMNS | (INTERVAL if grid.samples is not None else {})
+    return FAILURE | OF_TORQUE | (INTERVAL if grid.samples is not None else {})
 
 
 def blank(grid: Grid, size: int) -> dict[str, NDArray[Any]]:
@@ -175,7 +175,8 @@ def _torque(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> dict[str, Any
     """The columns of points of a series, and its warnings; points without an interval have the reason besides."""
     series = _at(grid, scene, places)
     result = with_model_uncertainty(series, friction_torque(series))
-    found = {**result.columns(), "warnings": result.warnings}
+    found = {name: values for name, values in result.columns().items() if name in OF_TORQUE}
+    found |= {"warnings": result.warnings}
     if grid.samples is None:
         return found
     from analytic.prediction.prediction import predicted_interval  # with SciPy's statistics: half a second

@@ -28,7 +28,7 @@ from analytic.scene_torque import torque_of_scene
 from analytic.scenefile.read import load_scene, parse_scene, scene_of
 from analytic.scenefile.template import scene_text
 from fembearing.plain_types import plain
-from fembearing.report.torque import torque_file
+from fembearing.report.torque import content_of
 
 RINGS = {"bore_diameter": 25e-3, "outside_diameter": 52e-3}
 CASE = {
@@ -325,4 +325,4 @@ def test_beyond_the_static_rating_there_is_no_band(rating: str, has_band: bool) 
     assert (result.catalogue.band is not None) == has_band
     if not has_band:
         assert "900 N exceeds the static load rating" in result.catalogue.note
-    json.dumps(plain(torque_file(result)), allow_nan=False)
+    json.dumps(plain(content_of(result)), allow_nan=False)

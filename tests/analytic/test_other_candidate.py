@@ -8,7 +8,7 @@ import pytest
 from analytic.scene_torque import torque_of_scene
 from analytic.torque import friction_torque
 from fembearing.plain_types import plain
-from fembearing.report.torque import torque_record
+from fembearing.report.torque import content_of
 from tests.analytic.scenefile.scene_texts import changed, scene
 
 TEXT = changed('contact_angle = { rule = "solved" }', "", changed('catalog = "paper_6205"', 'catalog = "6306"'))
@@ -19,7 +19,7 @@ def test_both_torques_are_shown() -> None:
     result, other = torque_of_scene(SCENE), SCENE.bearing.other_candidate
     assert other is not None
     alone = friction_torque(replace(SCENE, bearing=other)).torque.total
-    shown = plain(torque_record(result).other_candidate)
+    shown = plain(content_of(result).other_candidate)
     assert (shown["ball_count"], shown["ball_diameter"]) == (8, pytest.approx(12e-3, rel=1e-9))
     np.testing.assert_allclose(shown["total"], alone, rtol=1e-12)  # round-off
     (sentence,) = [note for note in result.notes if "nearly as well" in note]
@@ -33,6 +33,6 @@ def test_a_candidate_without_a_torque_leaves_the_other_one() -> None:
     assert other is not None
     apart = replace(other, outer=replace(other.outer, bottom_radius=other.outer.bottom_radius + 1e-3))
     result = torque_of_scene(replace(SCENE, bearing=replace(SCENE.bearing, other_candidate=apart)))
-    assert torque_record(result).other_candidate is None
+    assert content_of(result).other_candidate is None
     assert sum("there is no torque" in warning for warning in result.friction.warnings) == 1
     assert np.all(result.friction.torque.total > 0)

@@ -228,8 +228,7 @@ def test_the_lines_of_a_scene_say_what_is_not_known() -> None:
     assert one.lines["contact"] == "Different scales of both axes."
     lost = replace(one, no_contact="no shoulder is known")
     assert lost.lines["contact"] == "no shoulder is known"
-    (point,) = one.record.points
-    pair = replace(one, record=replace(one.record, points=(replace(point, ring=None),)))
+    pair = replace(one, result=replace(one.result, friction=replace(one.result.friction, ring=None)))
     assert "Balls of a pair" in pair.lines["ring"]
     dry = at_once(DRY)
     assert dry.lines["film"] == "film: not computed without oil and surface"

@@ -117,7 +117,7 @@ def test_several_loads_make_a_series_with_its_law(command) -> None:
     assert [part["load"] for part in found["points"]] == [310.0, 1e-6, 120.0]
     rows = [line.split()[0] for line in table.out.splitlines() if re.match(r" *[0-9]\S* +[0-9]", line)]
     assert rows[:3] == ["310", "1e-06", "120"]
-    assert f"n {found['law']['exponent']:.4f} +- {found['exponent_uncertainty']:.4f}" in table.out
+    assert f"n {found['law']['exponent']:.4f} +- {found['law']['exponent_uncertainty']:.4f}" in table.out
     assert max(map(len, table.out.splitlines())) <= 80
     assert "\N{HORIZONTAL ELLIPSIS}" not in table.out
 

@@ -12,7 +12,8 @@ import pytest
 import analytic
 from analytic.scenefile.read import load_scene
 from analytic.writing import LISTING
-from fembearing.report.schema import comparison_schema
+from fembearing.plain_types import FORMAT
+from fembearing.report.schema import schema_of
 from tests.analytic.scenefile.scene_texts import MINE
 from tests.conftest import Result
 
@@ -66,9 +67,9 @@ def test_json_fits_its_schema_and_is_alone_on_standard_output(command: Run, plac
     assert place.is_dir()
     ended = command("compare", "scene.toml", "--json", "--seed", "5", *QUICK)
     found = json.loads(ended.out)
-    jsonschema.validate(found, comparison_schema())
-    assert json.loads(command("list", "--schema", "compare").out) == json.loads(json.dumps(comparison_schema()))
-    assert (found["kind"], found["format"]) == ("fembearing compare", 1)
+    jsonschema.validate(found, schema_of("compare"))
+    assert json.loads(command("list", "--schema", "compare").out) == json.loads(json.dumps(schema_of("compare")))
+    assert (found["kind"], found["format"]) == ("fembearing compare", FORMAT)
     assert (found["seed"], found["samples"], found["inside"]) == (5, 64, 2)
     assert found["rows"][0]["error"] == pytest.approx(found["rows"][0]["computed"] - found["rows"][0]["measured"])
     again = json.loads(command("compare", "scene.toml", "--json", "--seed", "5", *QUICK).out)

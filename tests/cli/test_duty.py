@@ -8,7 +8,8 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from fembearing.report.schema import duty_schema
+from fembearing.plain_types import FORMAT
+from fembearing.report.schema import schema_of
 from tests.conftest import Result
 
 Run = Callable[..., Result]
@@ -22,9 +23,9 @@ def test_json_fits_its_schema_and_a_folder_has_everything(
     monkeypatch.chdir(tmp_path)
     ended = command("duty", *QUICK, "--json", "--out", "found")
     found = json.loads(ended.out)
-    jsonschema.validate(found, duty_schema())
-    assert json.loads(command("list", "--schema", "duty").out) == json.loads(json.dumps(duty_schema()))
-    assert (found["kind"], found["format"]) == ("fembearing duty", 1)
+    jsonschema.validate(found, schema_of("duty"))
+    assert json.loads(command("list", "--schema", "duty").out) == json.loads(json.dumps(schema_of("duty")))
+    assert (found["kind"], found["format"]) == ("fembearing duty", FORMAT)
     folder = tmp_path / "found"
     assert {file.name for file in folder.iterdir() if file.name[0] != "."} == {
         "duty.json",

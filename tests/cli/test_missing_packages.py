@@ -167,8 +167,8 @@ def installation(request: pytest.FixtureRequest) -> Installation:
 def test_a_torque_needs_no_extra_and_no_finite_elements(installation: Installation) -> None:
     told, done, python = (installation.answers[line] for line in TORQUES)
     assert told.status in (0, 1, 3), told.err
-    (interval,), (point,) = (json.loads(told.out)[key] for key in ("interval", "points"))
-    assert interval[0] < (total := point["torque"]["total"]) < interval[1]
+    (point,) = json.loads(told.out)["points"]
+    assert point["interval_low"] < (total := point["torque_total"]) < point["interval_high"]
     assert done.status == told.status, done.err
     table = installation.folder_of(TORQUES[1]) / "t.csv"
     (row,) = csv.DictReader(table.read_text("utf-8").splitlines())

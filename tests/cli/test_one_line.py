@@ -36,7 +36,7 @@ def test_one_line_is_the_file_that_init_writes_and_python(
     assert without_time(line.out) == without_time(file.out)
     (point,) = json.loads(line.out)["points"]
     result = analytic.friction_torque("6308", **LINE)
-    assert point["torque"]["total"] == result.torque.total[0]
+    assert point["torque_total"] == result.torque.total[0]
     assert (point["radial_load"], point["axial_load"]) == (3000.0, 200.0)
 
 
@@ -67,7 +67,7 @@ def test_scenes_side_by_side(command, tmp_path: Path, monkeypatch: pytest.Monkey
     for name in ("a.toml", "6308"):
         alone = json.loads(command("torque", name, *series, "--json").out)
         assert found[name] | {"seconds": None} == alone | {"seconds": None}
-        low, high = (1e3 * point["torque"]["total"] for point in alone["points"])
+        low, high = (1e3 * point["torque_total"] for point in alone["points"])
         assert f" {low:.4g}-{high:.4g} " in rows[name]
         assert alone["standing"]["word"] in rows[name]
     assert "6308: assumed: " in ended.out
@@ -84,7 +84,7 @@ def test_a_scene_from_standard_input(command, monkeypatch: pytest.MonkeyPatch) -
     assert without_time(given(text, "--json").out) == alone | {"seconds": None}
     faster_text = given(text, "--set", "operation.inner_speed=2900rpm", "--json").out
     faster = json.loads(faster_text)
-    assert faster["points"][0]["torque"]["total"] > alone["points"][0]["torque"]["total"]
+    assert faster["points"][0]["torque_total"] > alone["points"][0]["torque_total"]
     assert "assumed: " not in given(text).out  # a scene that says everything
     for content, words in (
         (b"\xff\xfe", "standard input: byte 0 is not UTF-8"),

@@ -63,7 +63,7 @@ def test_what_measured_torques_miss_stands_before_the_references(document: Repor
 
 
 def test_without_friction_there_is_no_torque(document: Report) -> None:
-    lines = printed(replace(document, torque=None, torque_change=None))
+    lines = printed(replace(document, solved=None, torque=None, torque_change=None))
     assert "No torque:" in " ".join(lines)
 
 

@@ -25,6 +25,7 @@ from fembearing.report.torque import content_of
 from fembearing.report.torque_file import torque_content
 
 GOLDEN = Path(__file__).parent / "golden"
+RIG = str(Path(__file__).parents[2] / "validation/scenes/thrust_rig_3mm.toml")
 SCENES: dict[str, tuple[str, dict[str, Any], dict[str, Any]]] = {  # name, what is given, and how it is computed
     "dry": ("6205-dry", {}, {}),
     "paper": ("paper_6205", {"settings": {"report.units": "inch", "effects.cage_dynamics": "off"}}, {}),
@@ -36,12 +37,7 @@ SCENES: dict[str, tuple[str, dict[str, Any], dict[str, Any]]] = {  # name, what 
         | {"settings": {"arrangement.kind": "O", "arrangement.preload": "300 N"}},
         {},
     ),
-    "thrust": (
-        "51105",
-        {"axial_load": "1 kN", "speed": "500 rpm"}
-        | {"settings": {"bearing.ball_count": 18, "bearing.ball_diameter": "5.556 mm"}},
-        {},
-    ),
+    "thrust": (RIG, {"axial_load": "9 N", "speed": "500 rpm"}, {}),
     "tilted": ("6309", {"radial_load": "3 kN", "speed": "2900 rpm", "settings": {"operation.moment": "20 N m"}}, {}),
     "series": (
         "7206B",

@@ -6,12 +6,12 @@ import re
 from dataclasses import replace
 from io import BytesIO, StringIO
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from matplotlib.image import imread
 
+from analytic.columns import COLUMNS, COORDINATES
 from analytic.errors import InputError
 from analytic.scene_torque import SceneTorque, torque_of_scene
 from analytic.scenefile.read import load_scene, parse_scene
@@ -19,10 +19,9 @@ from fembearing import cli
 from fembearing.plain_types import plain
 from fembearing.report import torque_folder
 from fembearing.report.tables.torque import ball_table
-from fembearing.report.torque import torque_file, torque_record
+from fembearing.report.torque import content_of
 from fembearing.report.torque_file import CONTENTS, torque_content
 from fembearing.report.torque_folder import torque_with_files
-from fembearing.report.torque_table import csv_of, shown_columns
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 from tests.analytic.specimens import present
 
@@ -48,27 +47,9 @@ def result(request: pytest.FixtureRequest) -> SceneTorque:
     return torque_of_scene(parse_scene(request.param, origin="here"))
 
 
-def in_json(content: dict[str, Any], point: int, name: str) -> float | None:
-    """The number of a column where the JSON has it."""
-    row = content["points"][point]
-    if name in row:
-        return row[name]
-    if name == "ball_load":
-        return max(row["contact"][race]["load"] for race in ("inner", "outer"))
-    group, _, rest = name.partition("_")
-    if group in ("torque", "uncertainty"):
-        return row[group][rest]
-    if group == "interval":
-        return content["interval"][point][("low", "high").index(rest)]
-    if group == "catalogue":
-        return content["catalogue_band"][rest][point]
-    stem, _, race = name.rpartition("_")
-    return row["contact"][race][stem] if stem in row["contact"]["inner"] else row[stem][race]
-
-
 def test_the_table_has_every_number_of_the_json_in_the_unit_of_its_head(result: SceneTorque) -> None:
-    content = plain(torque_file(result))
-    (count, *heads, last), *rows = csv.reader(StringIO(csv_of(result)))
+    points = content_of(result).points
+    (count, *heads, last), *rows = csv.reader(StringIO(torque_content(result, ending=".csv").decode()))
     assert (count, last) == ("point", "bearing")
     assert {row[-1] for row in rows} == {result.scene.bearing.name}
     assert [row[0] for row in rows] == ["1", "2", "3"]
@@ -77,25 +58,20 @@ def test_the_table_has_every_number_of_the_json_in_the_unit_of_its_head(result: 
         name, unit = present(re.fullmatch(r"(\w+) \[(.+)\]", head)).groups()
         names.append(name)
         for point, row in enumerate(rows):
-            expected = in_json(content, point, name)
+            expected = points[point][name]
             found = float(row[column]) * SI[unit] if row[column] else None
             assert found == (None if expected is None else pytest.approx(expected, rel=DIGITS, abs=0)), head
-    first = content["points"][0]
-    for part, value in first["torque"].items():  # nothing that is known is left out
-        assert (f"torque_{part}" in names) == (value is not None)
-    for race in ("inner", "outer"):
-        assert {f"{name}_{race}" for name in first["contact"][race]} <= set(names)
+    assert {*names} == {name for name, value in points[0].items() if value is not None}  # all that is known
 
 
 def test_dataset_and_data_frame_hold_the_same_numbers(result: SceneTorque) -> None:
-    dataset, frame = result.to_dataset(), result.to_dataframe()
-    shown = shown_columns(result)
-    assert set(shown) <= {*dataset.data_vars, *dataset.coords} == {*frame.columns}
-    for name, column in shown.items():
-        known = np.isfinite(frame[name].to_numpy())
-        np.testing.assert_allclose(column.values[known], (frame[name] * column.unit.factor)[known], rtol=1e-15)
+    dataset, frame, points = result.to_dataset(), result.to_dataframe(), content_of(result).points
+    assert {*dataset.data_vars, *dataset.coords} == {*frame.columns}
+    for name in frame.columns:
         np.testing.assert_array_equal(frame[name], dataset[name])
-        assert dataset[name].attrs["units"] == frame.attrs["units"][name] == column.column.unit
+        assert dataset[name].attrs["units"] == frame.attrs["units"][name] == (COORDINATES | COLUMNS)[name].unit
+        told = [np.nan if point[name] is None else point[name] for point in points]
+        np.testing.assert_array_equal(np.where(np.isfinite(frame[name]), frame[name], np.nan), told)
 
 
 def test_every_ending_gives_its_kind_of_file(result: SceneTorque, tmp_path: Path) -> None:
@@ -110,11 +86,11 @@ def test_every_ending_gives_its_kind_of_file(result: SceneTorque, tmp_path: Path
     assert CONTENTS.keys() == beginnings.keys()
     for ending, content in CONTENTS.items():
         assert content(result).startswith(beginnings[ending])
-    assert json.loads(CONTENTS[".json"](result))["points"] == plain(result.friction.rows)
+    assert json.loads(CONTENTS[".json"](result))["points"] == plain(result.points)
     _, lacking = torque_with_files(result.scene, out=tmp_path / "mine.CSV")
     assert lacking is None
     assert [path.name for path in tmp_path.iterdir()] == ["mine.CSV"]
-    assert (tmp_path / "mine.CSV").read_text("utf-8") == csv_of(result)
+    assert (tmp_path / "mine.CSV").read_bytes() == CONTENTS[".csv"](result)
 
 
 def test_the_page_needs_nothing_else_and_shows_markup_as_text() -> None:
@@ -205,8 +181,8 @@ def test_nothing_is_left_of_a_file_that_fails_or_comes_too_late(
 
 
 def test_a_content_is_that_of_its_ending(result: SceneTorque) -> None:
-    assert torque_content(result, ending=".csv").decode() == csv_of(result)
-    assert json.loads(torque_content(result, ending=".json"))["kind"] == torque_file(result).kind
+    assert torque_content(result, ending=".csv").startswith(b"point,")
+    assert json.loads(torque_content(result, ending=".json"))["kind"] == "fembearing torque"
     with pytest.raises(InputError, match=r"'\.doc'.*\.csv"):
         torque_content(result, ending=".doc")
 
@@ -215,7 +191,7 @@ def test_the_balls_of_a_series_have_the_range_of_their_angles() -> None:
     """More thrust raises the angle: the least belongs to the least load, wherever it stands in the series."""
     result = torque_of_scene(parse_scene(SERIES, origin="here"))
     angles = np.degrees(result.friction.contact_angle)
-    note = ball_table(torque_record(result), (0, 1, 2)).notes[0]
+    note = ball_table(result, (0, 1, 2)).notes[0]
     told = [float(each) for each in re.findall(r"(\d+\.\d+) deg", note)]
     assert told == pytest.approx([angles.min(), angles.max()], abs=0.05)  # digits
     assert told[0] < told[1]

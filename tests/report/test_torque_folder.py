@@ -51,7 +51,7 @@ def test_each_point_has_series_plot_and_picture(made: Made) -> None:
     assert {path.name for path in made.folder.iterdir()} == files | ALWAYS | {LISTING}
     assert [path.name for path in made.folder.parent.iterdir()] == ["made"]  # nothing beside it
     content = json.loads((made.folder / "torque.json").read_text("utf-8"))
-    assert content["points"] == plain(made.result.friction.rows)
+    assert content["points"] == plain(made.result.points)
     assert content["run"]["scene_sha256"] == provenance_of(made.scene).scene_sha256
     assert content["cage_motion"]["lacking"] is None
     for point, told in enumerate(content["cage_motion"]["points"], start=1):

@@ -216,7 +216,7 @@ def _heaviest(scene: Scene, race: Race) -> tuple[Contact, float, float]:
     balls = balls_of(scene)
     place = heaviest_place(balls)
     contact = contact_at(scene, balls, race, place)
-    rate = getattr(balls.motion, f"{race}_entrainment")[place]
+    rate = balls["motion"][f"{race}_entrainment"][place]
     return contact, float(scene.operation.as_series().inner_speed[place[0]]), float(rate)
 
 

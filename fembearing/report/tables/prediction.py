@@ -1,14 +1,17 @@
 """The 95 % interval of a torque, what it is made of, and the inputs that make it."""
 
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from analytic.prediction.prediction import Prediction
 from analytic.scene_torque import SceneTorque
 from fembearing.quantities import METRIC, Units
 from fembearing.report.phrases import MADE_OF, between, digits, explained_words, input_name, interval_words, speed_words
 from fembearing.report.tables.table import Head, Table, table_of
+
+if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
+    from analytic.prediction.prediction import Prediction
 
 MOST_INPUTS = 8
 PARTS = {"numerical": "numerical", "input": "inputs", "model": "formulas"}
@@ -23,7 +26,7 @@ def prediction_tables(torque: SceneTorque, places: Sequence[int], units: Units =
     return [interval_table(torque.prediction, shown, units), shares_table(torque.prediction, units)]
 
 
-def interval_table(prediction: Prediction, shown: Mapping[int, int], units: Units = METRIC) -> Table:
+def interval_table(prediction: "Prediction", shown: Mapping[int, int], units: Units = METRIC) -> Table:
     """The interval at each point, and the interval of each part alone.
 
     shown : by the number of a point in the scene, that in the prediction
@@ -55,7 +58,7 @@ def interval_table(prediction: Prediction, shown: Mapping[int, int], units: Unit
     return table_of(f"95 % interval of the total, {torque.name}", heads, rows, [*notes, interval_words(prediction)])
 
 
-def shares_table(prediction: Prediction, units: Units = METRIC) -> Table:
+def shares_table(prediction: "Prediction", units: Units = METRIC) -> Table:
     """The inputs that make the interval, at its slowest and its fastest point."""
     ends = prediction.ends
     speeds = [speed_words(float(prediction.nominal.inner_speed[at]), units) for at in ends]

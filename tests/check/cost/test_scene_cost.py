@@ -11,8 +11,8 @@ from analytic.errors import InputError
 from analytic.progress import silent
 from analytic.scene import Autocorrelation, Contact, ContactAngle, HeightMapFile, Scene, Surface
 from analytic.scenefile.read import load_scene
-from fembearing.check.contact.discrepancy import compare_contact
-from fembearing.check.contact.mesh_refinement import COMPARED
+from fembearing.check.contact.refinement import COMPARED
+from fembearing.check.contact.solution import compare_contact
 from fembearing.check.cost.contact_ladder import contact_ladder_of, measured_contact
 from fembearing.check.cost.ladder import Ladder, measured
 from fembearing.check.cost.scene_cost import FORMULA_LADDERS, films, measure_cost
@@ -152,9 +152,15 @@ def test_errors_of_a_contact_fall_within_bounds_from_hertz_to_all_meshes(contact
     assert present(twin.error) < present(twin.bound) + present(extrapolated.bound)
     solved = compare_contact(contacts["inner"], recipe=recipe, tolerance=0.01)
     taken = contact_ladder_of(solved).methods
-    quantities = [solved.hertz, present(solved.corrected).quantities, *(mesh.quantities for mesh in solved.meshes)]
-    for method, found in zip(taken[:-1], quantities, strict=True):
-        off = [getattr(found, name) / solved.estimates[name].limit - 1 for name in COMPARED]
+    numbers = solved.numbers
+    corrected = present(numbers.corrected).quantities
+    found_by = [
+        {name: numbers.quantities[name].production for name in COMPARED},
+        {name: getattr(corrected, name) for name in COMPARED},
+        *({name: getattr(mesh.quantities, name) for name in COMPARED} for mesh in solved.meshes),
+    ]
+    for method, found in zip(taken[:-1], found_by, strict=True):
+        off = [found[name] / numbers.estimates[name].limit - 1 for name in COMPARED]
         assert method.error == pytest.approx(np.max(np.abs(off)), rel=1e-9)
     seconds = [mesh.seconds for mesh in solved.meshes]
     assert [method.seconds for method in taken[2:]] == pytest.approx([*seconds, sum(seconds)], abs=1e-3)

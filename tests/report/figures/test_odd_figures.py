@@ -7,10 +7,10 @@ from typing import Any, cast
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from tests.report.prediction_rows import content, prediction_of
 
 from analytic.errors import InputError
 from analytic.figures.torque import MOST_NAMES, DrawnTorque, torque_figure
+from analytic.loads.ring_state import Balls
 from analytic.units import METRIC
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.report.figures.contacts import approach_plot, convergence_plot, pressure_plot
@@ -21,6 +21,7 @@ from fembearing.report.figures.torque import friction_plot, torque_plot
 from fembearing.report.report import Report
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document, labels_of, line_of, points_of, require_legible
+from tests.report.figures.intervals import interval_of
 from tests.report.measured_rows import comparison, row
 
 
@@ -92,7 +93,7 @@ def test_contacts_stand_side_by_side_in_rows_of_equal_length(document: Report) -
 
 @pytest.mark.parametrize("draw", [torque_plot, friction_plot, ring_plot])
 def test_without_a_torque_there_is_a_reason_in_place_of_a_figure(draw: Any) -> None:
-    figure, why = draw(as_document({"torque": None}))
+    figure, why = draw(as_document({"solved": None}))
     assert figure is None
     assert "neither a friction coefficient nor both lubricant and surface" in why
 
@@ -130,11 +131,13 @@ def test_at_most_so_many_bars_are_named() -> None:
 
 def balls(angles: list[float | None], **point: Any) -> Any:
     """A document of three balls, the second without a load on the inner race."""
-    found = {"azimuth": [0.3, 1.7, 3.9], "inner_load": [210.0, 0.0, 95.0], "outer_load": [212.0, 1.5, 97.0]}
-    ring = {"balls": found | {"inner_angle": angles, "outer_angle": angles}}
-    one = {"inner_speed": 31.0, "axial_load": 100.0, "radial_load": 200.0, "moment": 0.0, "ring": ring}
+    found = {"azimuth": (0.3, 1.7, 3.9), "inner_load": (210.0, 0.0, 95.0), "outer_load": (212.0, 1.5, 97.0)}
+    row = SimpleNamespace(balls=Balls(**found, inner_angle=tuple(angles), outer_angle=tuple(angles)))
+    one = {"inner_speed": 31.0, "axial_load": 100.0, "radial_load": 200.0, "moment": 0.0}
     loads = {"inner_speed": 1260.0, "axial_load": 1450.0, "radial_load": -2350.0, "moment": 0.75}
-    return as_document({"torque": {"points": [one, one | loads | point]}})
+    friction = SimpleNamespace(ring=SimpleNamespace(row=lambda _: row))
+    solved = SimpleNamespace(points=[one, one | loads | point], friction=friction)
+    return SimpleNamespace(solved=solved, units=METRIC)
 
 
 @pytest.mark.parametrize("angles", [[0.21, None, 0.17], [0.21, 0.21 + 2e-9, None]])
@@ -152,8 +155,7 @@ def test_every_ball_is_seen_and_angles_that_are_alike_look_alike(angles: list[fl
 
 def test_a_pair_has_a_reason_in_place_of_its_ring() -> None:
     found = balls([0.1, 0.2, None])
-    for each in found.torque.points:
-        each.ring = None
+    found.solved.friction.ring = None
     figure, why = ring_plot(found)
     assert figure is None
     assert "Pair of bearings" in why
@@ -164,15 +166,12 @@ def names_of(panel: Axes) -> list[str]:
 
 
 def test_at_most_eight_inputs_are_drawn_and_none_below_half_a_per_cent() -> None:
-    rows = prediction_of(content())
     for indices, drawn in (
         ([0.9 - 0.01 * number for number in range(9)], 8),
         ([0.5, 0.0051, 0.0049], 2),
     ):
-        inputs = tuple(replace(rows.inputs[0], key=f"bearing.part_{number}") for number in range(len(indices)))
-        values = dict.fromkeys(("first", "total", "first_error", "total_error"), tuple(indices))
-        points = tuple(replace(point, indices=replace(point.indices, **values)) for point in rows.points)
-        figure = interval_figure(replace(rows, inputs=inputs, points=points), METRIC)
+        keys = [f"bearing.part_{number}" for number in range(len(indices))]
+        figure = interval_figure(interval_of(keys, np.transpose([indices, indices])), METRIC)
         assert names_of(figure.axes[2]) == [f"part {number}" for number in range(drawn)]
 
 

@@ -42,10 +42,17 @@ def document_of(outputs: list[dict[str, Any]], inputs: list[dict[str, Any]]) -> 
 @pytest.fixture
 def inputs() -> list[dict[str, Any]]:
     return [
-        given("modulus", "Pa", (180e9, 200e9, 230e9), change_low=[0.07, 0.05], change_high=[-0.04, -0.03]),
-        given("roughness", "m", (0.2e-6, 0.3e-6, 0.5e-6), change_low=[0.01, -0.02], change_high=[0.03, 0.015]),
-        given("groove", "1", (0.498, 0.503, 0.508), change_low=None, change_high=[0.02, 0.025], refused=["0.498: no"]),
-        given("shear", "1", (0.05, 0.06, 0.07), change_low=[0.0, 0.0], change_high=[1e-9, 0.0]),
+        given("bearing.modulus", "Pa", (180e9, 200e9, 230e9), change_low=[0.07, 0.05], change_high=[-0.04, -0.03]),
+        given("bearing.roughness", "m", (0.2e-6, 0.3e-6, 0.5e-6), change_low=[0.01, -0.02], change_high=[0.03, 0.015]),
+        given(
+            "bearing.groove",
+            "1",
+            (0.498, 0.503, 0.508),
+            change_low=None,
+            change_high=[0.02, 0.025],
+            refused=["0.498: no"],
+        ),
+        given("bearing.shear", "1", (0.05, 0.06, 0.07), change_low=[0.0, 0.0], change_high=[1e-9, 0.0]),
     ]
 
 
@@ -137,7 +144,7 @@ def test_a_figure_grows_with_its_inputs_and_draws_at_most_twelve(document: Repor
     heights = []
     for count, drawn in ((3, 3), (12, 12), (14, 12)):
         inputs = tuple(
-            replace(usual.inputs[0], name=f"input {number}", change_low=(-0.2 / (number + 1),) * 2)
+            replace(usual.inputs[0], name=f"bearing.input_{number}", change_low=(-0.2 / (number + 1),) * 2)
             for number in range(count)
         )
         many = cast(Report, SimpleNamespace(sensitivity=replace(usual, inputs=inputs), units=METRIC))
@@ -157,7 +164,7 @@ def test_a_change_of_less_than_a_millionth_is_named_alone(document: Report) -> N
     usual = document.sensitivity
     assert usual is not None
     for swing, drawn in ((1.1e-6, True), (0.9e-6, False)):
-        still = replace(usual.inputs[0], name="still", change_low=(swing, 0.0), change_high=(0.0, -swing))
+        still = replace(usual.inputs[0], name="bearing.still", change_low=(swing, 0.0), change_high=(0.0, -swing))
         changed = cast(
             Report, SimpleNamespace(sensitivity=replace(usual, inputs=(usual.inputs[0], still)), units=METRIC)
         )

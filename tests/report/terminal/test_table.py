@@ -2,11 +2,9 @@
 
 import re
 from io import StringIO
-from pathlib import Path
 
 import pytest
 from rich.console import Console
-from tests.report.page.test_page_numbers import Tables
 
 from fembearing.check.validation import Validation
 from fembearing.report.page.template import environment
@@ -19,6 +17,7 @@ from fembearing.report.terminal.table import MANY, printed, show
 from fembearing.report.terminal.validation import print_details
 from tests.analytic.specimens import present
 from tests.report.page.page_writer import written_page
+from tests.report.page.tables_of_page import Tables
 
 ROOMY = 400  # columns: no cell is broken into lines
 Rows = list[list[str]]
@@ -97,11 +96,11 @@ def test_text_and_page_have_the_same_cells(tables: dict[str, Table], label: str)
         assert " ".join(note.split()) in " ".join(page.text.split())
 
 
-def test_every_table_that_a_check_prints_stands_in_its_page(made: Validation, tmp_path: Path) -> None:
+def test_every_table_that_a_check_prints_stands_in_its_page(made: Validation) -> None:
     """With the same rows in the same order; the page may have more columns."""
     out = StringIO()
     print_details(Console(file=out, width=ROOMY), report_of(made))
-    page, text = Tables(written_page(made, tmp_path)), in_text(out.getvalue())
+    page, text = Tables(written_page(made)), in_text(out.getvalue())
     assert len(text) == 4 + 3 + 1 + 2 + 1  # contacts, sliding, pocket, torque and its change, limits
     for title, (_, *rows) in text.items():
         _, *long_rows = in_page(page, title)
