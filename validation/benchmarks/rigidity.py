@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from analytic.loads.balls import LoadEffects
 from analytic.loads.pair import PairContacts, pair_equilibrium
 from analytic.scene import Arrangement, Bearing, ContactAngle, Groove, Material, Operation
 from validation.study import numbers, published, run, show
@@ -28,8 +27,7 @@ def axial_rigidity_of_pair(groove: float, preload: np.ndarray) -> np.ndarray:
     bearing = pair_bearing(groove)
     unloaded = Operation(axial_load=np.zeros(1), inner_speed=np.zeros(1))
     pairs = (Arrangement(kind="O", preload=float(each), distance=WIDTH) for each in preload)
-    contacts = PairContacts(effects=LoadEffects())
-    found = [pair_equilibrium(bearing, SOLVED, pair, unloaded, contacts).stiffness[0] for pair in pairs]
+    found = [pair_equilibrium(bearing, SOLVED, pair, unloaded, PairContacts()).stiffness[0] for pair in pairs]
     return np.array(found)
 
 

@@ -43,13 +43,13 @@ def rows() -> Iterator[tuple[str, ...]]:
     """Of each case its name, torque, interval, makers' torques and verdict."""
     for name, words in CASES:
         found = computed(words)
-        ends = (found["interval"] or [None])[0]
-        interval = "not known" if ends is None else " to ".join(f"{1e3 * end:.3g}" for end in ends)
-        band = (found["catalogue_band"] or {}).get("values") or {}
+        point = found["points"][0]
+        ends = [point[name] for name in ("interval_low", "interval_high") if point.get(name) is not None]
+        interval = " to ".join(f"{1e3 * end:.3g}" for end in ends) or "not known"
+        band = (found["makers"] or {}).get("torque") or {}
         held = {maker: value[0] for maker, value in band.items() if value[0] is not None}
         makers = ", ".join(f"{maker} {1e3 * value:.3g}" for maker, value in held.items()) or "no formula"
-        total = 1e3 * found["points"][0]["torque"]["total"]
-        yield name, f"{total:.3g}", interval, makers, found["standing"]["word"]
+        yield name, f"{1e3 * point['torque_total']:.3g}", interval, makers, found["standing"]["word"]
 
 
 def main(out: Out = HERE) -> None:
