@@ -4,7 +4,7 @@ import inspect
 import sys
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import dataclass, fields, is_dataclass, make_dataclass, replace
 from functools import wraps
 from pathlib import Path
 from types import MappingProxyType
@@ -109,48 +109,30 @@ class Output:
             yield place
 
 
-@dataclass(frozen=True, kw_only=True)
-class Usual:
-    """What options say of the usual scene of a bearing."""
+USUAL = {  # what options say of the usual scene of a bearing, by the names of `analytic.given.KEYS`
+    "axial_load": 'Axial load, for example "500 N", or a range "100 N to 1 kN in 5".',
+    "radial_load": 'Radial load, for example "5 kN", or a range (default for a bearing without any load: a light one).',
+    "speed": 'Speed of the inner ring, or a range "1 rpm to 8000 rpm in 15 log" '
+    f"(default: from the scene, or {USUAL_SPEED}).",
+    "oil": "Name of the oil, see `fembearing list oils` (default: from the scene, or by size, speed and temperature).",
+    "temperature": f"Oil temperature (default: from the scene, or {USUAL_TEMPERATURE}).",
+    "supply": "Oil supply: oil_bath, oil_jet, oil_spot or grease (default: from the scene, or by bearing and oil).",
+}
 
-    axial_load: Annotated[
-        str | None, typer.Option(help='Axial load, for example "500 N", or a range "100 N to 1 kN in 5".')
-    ] = None
-    radial_load: Annotated[
-        str | None,
-        typer.Option(
-            help='Radial load, for example "5 kN", or a range (default for a bearing without any load: a light one).'
-        ),
-    ] = None
-    speed: Annotated[
-        str | None,
-        typer.Option(
-            help='Speed of the inner ring, or a range "1 rpm to 8000 rpm in 15 log" '
-            f"(default: from the scene, or {USUAL_SPEED})."
-        ),
-    ] = None
-    oil: Annotated[
-        str | None,
-        typer.Option(
-            help="Name of the oil, see `fembearing list oils` (default: from the scene, or by size, speed and "
-            "temperature)."
-        ),
-    ] = None
-    temperature: Annotated[
-        str | None, typer.Option(help=f"Oil temperature (default: from the scene, or {USUAL_TEMPERATURE}).")
-    ] = None
-    supply: Annotated[
-        str | None,
-        typer.Option(
-            help="Oil supply: oil_bath, oil_jet, oil_spot or grease (default: from the scene, or by bearing and oil)."
-        ),
-    ] = None
+
+def text_options(helps: Mapping[str, str]) -> type:
+    """A dataclass of options that are texts, None where not given; helps : by name."""
+    texts = [(name, Annotated[str | None, typer.Option(help=text)], None) for name, text in helps.items()]
+    return make_dataclass("TextOptions", texts, frozen=True, kw_only=True)
+
+
+class Usual(text_options(USUAL)):
+    """What options say of the usual scene of a bearing."""
 
     @property
     def options(self) -> dict[str, Any]:
         """The texts of the options, by the names of `analytic.given.KEYS`."""
-        named = {each.name: getattr(self, each.name) for each in fields(Usual)}
-        return {name: text for name, text in named.items() if text is not None}
+        return {name: text for name in USUAL if (text := getattr(self, name)) is not None}
 
 
 @dataclass(frozen=True, kw_only=True)

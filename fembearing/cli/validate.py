@@ -1,6 +1,6 @@
 """`fembearing validate`."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -14,6 +14,7 @@ from fembearing.cli.options import (
     Tolerance,
     WithInterval,
     read_tolerance,
+    text_options,
 )
 from fembearing.cli.status import STATUS
 
@@ -21,14 +22,16 @@ if TYPE_CHECKING:
     from analytic.scene import Scene
 
 
-@dataclass(frozen=True, kw_only=True)
-class Signed:
-    """Who made the report, and when, in place of what [report] of the scene says."""
+SIGNED = {  # details of [report], by their keys
+    "author": "Author of the report (default: from the scene).",
+    "checker": "Checker of the report (default: from the scene).",
+    "revision": "Revision of the report (default: from the scene).",
+    "date": "Date of the revision (default: from the scene).",
+}
 
-    author: Annotated[str | None, typer.Option(help="Author of the report (default: from the scene).")] = None
-    checker: Annotated[str | None, typer.Option(help="Checker of the report (default: from the scene).")] = None
-    revision: Annotated[str | None, typer.Option(help="Revision of the report (default: from the scene).")] = None
-    date: Annotated[str | None, typer.Option(help="Date of the revision (default: from the scene).")] = None
+
+class Signed(text_options(SIGNED)):
+    """Who made the report, and when, in place of what [report] of the scene says."""
 
     def of(self, scene: "Scene") -> "Scene":
         """The scene with these details. Raises InputError for a text that no key of [report] takes."""

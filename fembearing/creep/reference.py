@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -18,27 +18,31 @@ ORDER = 2.0  # of the error in the length and width of a rectangle, where slip d
 OF_STEP, CAUTIOUS = 0.5, 3.0
 FLOOR = 1e-4  # relative: the least uncertainty claimed
 TINY = 1e-300  # for a quantity that is 0 by symmetry, whose relative uncertainty is of any size
+T = TypeVar("T")  # of each number: Estimate by the reference, float by production
 
 
-class RaceEstimates(NamedTuple):
-    """Of one contact; signs as in `ball.RaceCreep` and `rolling.Creepages`."""
+class RaceFriction(NamedTuple, Generic[T]):
+    """A ball on one race. Creepages are slip over the rolling speed.
 
-    creepage_along: Estimate  # of the centre
-    creepage_across: Estimate
-    spin_creepage: Estimate  # 1/m
-    spin_moment: Estimate  # N m
-    rolling_moment: Estimate  # N m
-    transverse_force: Estimate  # N
-    slip_share: Estimate  # of the area
-    torque: Estimate  # by sliding about the bearing axis, N m
+    Signs of estimates are those of `ball.RaceCreep` and `rolling.Creepages`. By production moments and power resist.
+    """
+
+    creepage_along: T  # of the centre
+    creepage_across: T
+    spin_creepage: T  # 1/m; by production >= 0
+    spin_moment: T  # N m
+    rolling_moment: T  # int (t_x y^2/2 - t_y x y) dA/R, N m
+    transverse_force: T  # on the ball, N
+    slip_share: T  # of the area
+    torque: T  # by sliding about the bearing axis, N m
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CreepReference:
     """Friction of one ball on both races."""
 
-    inner: RaceEstimates
-    outer: RaceEstimates
+    inner: RaceFriction[Estimate]
+    outer: RaceFriction[Estimate]
     torque: Estimate  # by sliding of this ball about the bearing axis, N m
     finest: TurnedBall  # on the last grid, with maps of traction and slip
     grids: tuple[Grid, ...]  # the last three
@@ -74,11 +78,11 @@ def creep_reference(ball: TurningBall, *, tolerance: float = 0.01) -> CreepRefer
     return CreepReference(inner=inner, outer=outer, torque=torque, finest=turned[-1], grids=tuple(last))
 
 
-def _race_estimates(turned: list[TurnedBall], grids: list[Grid], race: int) -> RaceEstimates:
+def _race_estimates(turned: list[TurnedBall], grids: list[Grid], race: int) -> RaceFriction[Estimate]:
     def of(quantity: Callable[[RaceCreep], float]) -> Estimate:
         return _estimate(turned, grids, lambda each: quantity(each.races[race]))
 
-    return RaceEstimates(
+    return RaceFriction(
         creepage_along=of(lambda each: each.friction.creepages.along),
         creepage_across=of(lambda each: each.friction.creepages.across),
         spin_creepage=of(lambda each: each.friction.creepages.spin),

@@ -37,23 +37,11 @@ from analytic.solve.solution import points_of, solved
 from fembearing.creep.ball import TurningBall, race_motions
 from fembearing.creep.kinematics import RigidSlip, rigid_slip
 from fembearing.creep.place import HeldBall, free_lengths, unit_under
+from fembearing.creep.reference import RaceFriction
 
 LEVEL = 2  # of the nodes of free balls: 64 strips of 47
 ALIKE = 1e-6  # relative, of the loads of two balls that are each other's mirror images
 SLIDES = 1e-9  # relative to the limit of friction, below which a node sticks
-
-
-class RaceFriction(NamedTuple):
-    """A ball on one race; moments and power resist. Creepages are slip over the rolling speed, as the reference's."""
-
-    creepage_along: float  # of the centre
-    creepage_across: float
-    spin_creepage: float  # >= 0, 1/m
-    spin_moment: float  # N m
-    rolling_moment: float  # int (t_x y^2/2 - t_y x y) dA/R, N m
-    transverse_force: float  # on the ball, N
-    slip_share: float  # of the area
-    torque: float  # about the bearing axis, N m
 
 
 class ProducedBall(NamedTuple):
@@ -171,7 +159,7 @@ def _law(contact: Record, speed: float) -> PointLaw:
     return law._replace(fluidity=law.fluidity / abs(speed))
 
 
-def by_formula(production: Production) -> tuple[RaceFriction, RaceFriction]:
+def by_formula(production: Production) -> tuple[RaceFriction[float], RaceFriction[float]]:
     """The heaviest ball by the formula."""
     scene, ball = production.scene, production.heaviest[0]
     rates = [float(ball["motion"][f"{race}_rolling_rate"]) for race in RACES]
@@ -207,7 +195,7 @@ def _contact(scene: Scene, k: int, angle: float, load: float, rate: float) -> Co
     )
 
 
-def _of_line(k: int, contact: ContactNumbers, slip: MicroslipTorque, speed: float) -> RaceFriction:
+def _of_line(k: int, contact: ContactNumbers, slip: MicroslipTorque, speed: float) -> RaceFriction[float]:
     """One race; speed : V over the ring's speed, m"""
     race = RACES[k]
     spin, moment, rolling = (
@@ -229,7 +217,7 @@ def _of_line(k: int, contact: ContactNumbers, slip: MicroslipTorque, speed: floa
     )
 
 
-def by_march(production: Production) -> tuple[RaceFriction, RaceFriction]:
+def by_march(production: Production) -> tuple[RaceFriction[float], RaceFriction[float]]:
     """The heaviest ball with marched creep, from the state in which the kernel leaves it."""
     ball = production.balls[0]
     motions = race_motions(ball.turning.held.bearing)
@@ -249,7 +237,7 @@ def by_march(production: Production) -> tuple[RaceFriction, RaceFriction]:
     return inner, outer
 
 
-def _marched(contact: Record, slip: RigidSlip, quadrature: Record) -> RaceFriction:
+def _marched(contact: Record, slip: RigidSlip, quadrature: Record) -> RaceFriction[float]:
     given, speed, b = slip.creepages, slip.rolling_speed, float(contact.semi_axis_transverse)
     nodes, count = int(quadrature["nodes"]), int(quadrature["strips"])
     sines, cosines, weights = quadrature["across"][:, :count]

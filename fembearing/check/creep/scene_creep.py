@@ -25,13 +25,13 @@ from fembearing.check.creep.meshed_bodies import with_meshed_bodies
 from fembearing.check.creep.production import (
     ProducedBall,
     Production,
-    RaceFriction,
     by_formula,
     by_march,
     produced,
 )
 from fembearing.creep.ball import RaceCreep, TurningBall
-from fembearing.creep.reference import CreepReference, RaceEstimates, creep_reference
+from fembearing.creep.reference import CreepReference, RaceFriction, creep_reference
+from fembearing.grid_convergence import Estimate
 
 LEAST_SHARE = 0.02  # of the torque by sliding, of balls that are not solved but change as the last one that was
 MOST_BALLS = 6  # that are solved
@@ -269,7 +269,11 @@ def reference_torque(
 
 
 def _race(
-    estimates: RaceEstimates, race: RaceCreep, mirrored: bool, methods: tuple[RaceFriction, RaceFriction], speed: float
+    estimates: RaceFriction[Estimate],
+    race: RaceCreep,
+    mirrored: bool,
+    methods: tuple[RaceFriction[float], RaceFriction[float]],
+    speed: float,
 ) -> RaceNumbers:
     """One race; methods : formula and production;  speed : of the ring, rad/s"""
     side, spin = -1.0 if mirrored else 1.0, float(np.sign(race.friction.creepages.spin))
