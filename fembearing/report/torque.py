@@ -51,9 +51,7 @@ class PairContent:
     """A pair of bearings."""
 
     kind: ArrangementKind
-    preload: float  # at standstill, N
-    offset: float  # closed by it, m
-    distance: float  # of the middles, m
+    at_standstill: Mapping[str, float]  # preload, N; the offset that it closes and the distance of the middles, m
     points: Points  # of the shaft, m, rad and N/m, and of each bearing in its own frame, N, N m; flags are 0 or 1
 
 
@@ -140,7 +138,7 @@ def content_of(result: SceneTorque) -> TorqueContent:
 
 def _pair(pair: PairPart, result: SceneTorque) -> PairContent:
     of_pair = {name: getattr(pair.equilibrium, name) for name in ("preload", "offset", "distance")}
-    return PairContent(kind=pair.kind, **of_pair, points=rows_of(result.places.columns(pair.columns())))
+    return PairContent(kind=pair.kind, at_standstill=of_pair, points=rows_of(result.places.columns(pair.columns())))
 
 
 def _prediction(prediction: "Prediction", result: SceneTorque) -> PredictionContent:
