@@ -61,8 +61,7 @@ def test_the_terminal_says(result: tuple[str, SceneTorque], pytestconfig: pytest
     print_sections(out, [headline_section(torque)])
     out.print()
     print_sections(out, torque_sections(torque))
-    text = re.sub(r", [\d.e-]+ s$|in \d+ s;", "", out.file.getvalue(), flags=re.MULTILINE)  # pyright: ignore
-    compare(f"{name}-terminal", text, pytestconfig)
+    compare(f"{name}-terminal", out.file.getvalue(), pytestconfig)  # pyright: ignore[reportAttributeAccessIssue]
 
 
 def test_the_page_says(result: tuple[str, SceneTorque], pytestconfig: pytest.Config) -> None:
@@ -117,6 +116,7 @@ def text_of(page: str) -> str:
 
 def compare(name: str, text: str, config: pytest.Config) -> None:
     file = GOLDEN / f"{name}.txt"
+    text = re.sub(r"\bin\s+\d+ s;", "in 0 s;", text)  # that the samples took
     if config.getoption("--renew"):
         file.write_text(text, "utf-8")
     for number, (was, now) in enumerate(zip_longest(file.read_text("utf-8").splitlines(), text.splitlines()), start=1):
