@@ -64,7 +64,18 @@ def test_validate_has_the_torque_of_the_command_torque(command, tmp_path: Path) 
     decisions = {effect["name"]: effect["decision"] for effect in torque["effects"]}
     assert decisions["cage_dynamics"] == decisions["seals"] == decisions["drag"] == "on"
     assert len({point["torque_cage"] for point in torque["points"]}) == 2
-    for key in ("points", "effects", "warnings", "makers", "cage", "ring", "verdicts", "notes", "tolerance", "provenance"):
+    for key in (
+        "points",
+        "effects",
+        "warnings",
+        "makers",
+        "cage",
+        "ring",
+        "verdicts",
+        "notes",
+        "tolerance",
+        "provenance",
+    ):
         assert validated["torque"][key] == torque[key], key
 
 

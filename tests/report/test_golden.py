@@ -57,11 +57,12 @@ def result(request: pytest.FixtureRequest) -> tuple[str, SceneTorque]:
 
 def test_the_terminal_says(result: tuple[str, SceneTorque], pytestconfig: pytest.Config) -> None:
     name, torque = result
-    out = Console(file=StringIO(), width=80)
+    text = StringIO()
+    out = Console(file=text, width=80)
     print_sections(out, [headline_section(torque)])
     out.print()
     print_sections(out, torque_sections(torque))
-    compare(f"{name}-terminal", out.file.getvalue(), pytestconfig)  # pyright: ignore[reportAttributeAccessIssue]
+    compare(f"{name}-terminal", text.getvalue(), pytestconfig)
 
 
 def test_the_page_says(result: tuple[str, SceneTorque], pytestconfig: pytest.Config) -> None:
