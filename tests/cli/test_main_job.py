@@ -99,7 +99,7 @@ def test_the_report_is_in_its_folder(validated: dict[str, Any], report: Path) ->
 @in_the_gate
 def test_the_torque_is_that_of_the_command_torque(command, validated: dict[str, Any]) -> None:
     torque = json.loads(command("torque", "--json").out)
-    for key in ("points", "effects", "warnings", "catalogue_band", "verdicts", "notes", "tolerance"):
+    for key in ("points", "effects", "warnings", "makers", "verdicts", "notes", "tolerance"):
         assert validated["torque"][key] == torque[key]
 
 
