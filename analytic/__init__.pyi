@@ -12,7 +12,6 @@ from .result import FrictionTorque as FrictionTorque
 from .scene import Cage as Cage
 from .scene import ContactAngle as ContactAngle
 from .scene import Scene as Scene
-from .scene_torque import SceneTorque as SceneTorque
 from .scene_torque import torque_of_scene as torque_of_scene
 from .scenefile.parts import bearing as bearing
 from .scenefile.parts import lubricant as lubricant

@@ -39,7 +39,7 @@ class Comparison:
 
     @property
     def resolved(self) -> bool:
-        """Whether the difference exceeds the uncertainty, |E| > u_val."""
+        """Whether the difference exceeds the uncertainty, E beyond u_val on either side."""
         return abs(self.production - self.reference) > self.uncertainty
 
 
