@@ -15,8 +15,8 @@ from .production import torque_function as torque_function
 from .production import torque_of_scene as torque_of_scene
 from .report.figures.bearing import draw_bearing as draw_bearing
 from .report.folder import validate as validate
-from .report.headline import Headline as Headline
-from .report.headline import torque_headline as torque_headline
+from .report.sections.headline import Headline as Headline
+from .report.sections.headline import torque_headline as torque_headline
 from .report.torque_file import torque_content as torque_content
 from .sweep.run import Sweep as Sweep
 from .sweep.run import run_sweep as run_sweep

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.words import Unit
+from fembearing.plain_types import RESIDUE
 
 Words = Mapping[str, Sequence[str | int]]
 NONE: Words = MappingProxyType({})
@@ -22,7 +23,7 @@ def csv_of_columns(columns: Mapping[str, tuple[Unit, ArrayLike]], *, first: Word
     numbers = {
         f"{name} [{unit.name or '1'}]": [
             "" if np.isnan(value) else f"{value:.15g}"
-            for value in unit.number(np.asarray(values, dtype=float)).tolist()
+            for value in unit.number(_settled(values)).tolist()
         ]
         for name, (unit, values) in columns.items()
     }
@@ -32,3 +33,9 @@ def csv_of_columns(columns: Mapping[str, tuple[Unit, ArrayLike]], *, first: Word
     writer.writerow(every)
     writer.writerows(zip(*every.values(), strict=True))
     return text.getvalue()
+
+
+def _settled(values: ArrayLike) -> np.ndarray:
+    """Round-off is 0."""
+    numbers = np.asarray(values, dtype=float)
+    return np.where(np.abs(numbers) <= RESIDUE, 0.0, numbers)

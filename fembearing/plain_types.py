@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 
 FORMAT = 8  # of JSON, all files alike; it rises when a key changes its name or meaning
+RESIDUE = 1e-15  # SI; less is round-off: in a displacement, the smallest number of a result, 1e-5 of an atom
 UNWRITTEN = MappingProxyType({"written": False})  # metadata of a field that `plain` leaves out
 
 
 def plain(value: Any) -> Any:
-    """Dataclasses and mappings as dicts, arrays and tuples as lists, paths as texts, NaN as None."""
+    """Dataclasses and mappings as dicts, arrays and tuples as lists, paths as texts, NaN as None, round-off as 0."""
     if is_dataclass(value):
         return {part.name: plain(getattr(value, part.name)) for part in written_fields(value)}
     if isinstance(value, Mapping):
@@ -26,7 +27,9 @@ def plain(value: Any) -> Any:
         return [plain(part) for part in value]
     if isinstance(value, Path):
         return str(value)
-    return None if isinstance(value, float) and math.isnan(value) else value
+    if isinstance(value, float):
+        return None if math.isnan(value) else value if abs(value) > RESIDUE else 0.0
+    return value
 
 
 def written_fields(of: Any) -> list[Field[Any]]:

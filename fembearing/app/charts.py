@@ -15,7 +15,7 @@ from analytic.rows import Two
 from analytic.scene import Contact
 from analytic.scene_torque import SceneTorque
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.tables.torque import RESIDUE
+from fembearing.report.sections.torque import RESIDUE
 
 Options = dict[str, Any]
 NEUTRAL = "#8a8f98"  # seen on a light and on a dark page

@@ -108,10 +108,10 @@ class CheckPanel:
 
 def _show_report(report: "Report", address: str) -> None:
     """Verdict, pictures and tables as the report itself has them, and where it is."""
-    from fembearing.report.page.template import filled
-    from fembearing.report.tables.contacts import contacts_of
-    from fembearing.report.tables.creep import creep_table
-    from fembearing.report.tables.film import film_table
+    from fembearing.report.page.document import shown
+    from fembearing.report.sections.contacts import contacts_section
+    from fembearing.report.sections.creep import creep_section
+    from fembearing.report.sections.film import film_section
 
     ui.label(report.verdict.words)
     ui.link("The whole report", f"{address}/report.html", new_tab=True)
@@ -119,11 +119,9 @@ def _show_report(report: "Report", address: str) -> None:
         for picture in report.pictures:
             if picture.kind in KINDS:
                 ui.html(_figure(picture, f"{address}/{picture.file}"), sanitize=False)
-    tables = [contacts_of(report, report.units), *(film_table(film, report.units) for film in report.films)]
-    tables += [creep_table(each, report.units) for each in report.creep]
-    for table in tables:
-        ui.label(table.label).tag = "h3"
-        ui.html(filled("table.html", grid=table), sanitize=False)
+    for section in (contacts_section(report), film_section(report), creep_section(report)):
+        if section.blocks:
+            ui.html(shown(section), sanitize=False)
 
 
 def _figure(picture: "PictureFile", address: str) -> str:

@@ -19,7 +19,7 @@ from fembearing import SceneTorque, draw_bearing, torque_content, torque_headlin
 from fembearing.app.scene_edit import ORIGIN
 from fembearing.check.contact.scene_contact import contact_of
 from fembearing.quantities import SYSTEMS, Units
-from fembearing.report.tables.points import point_name
+from fembearing.report.sections.points import point_name
 
 SPEEDS = np.array([0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0])  # of the curve, over the scene's own
 SLICES = 6  # of the curve: between two of them it ends where the scene has changed

@@ -45,19 +45,19 @@ def compare(
     from fembearing.cli.console import out, print_json, tell_assumed
     from fembearing.plain_types import document
     from fembearing.quantities import SYSTEMS
-    from fembearing.report.measured_folder import write_comparison
-    from fembearing.report.tables.measured import measured_table
-    from fembearing.report.terminal.table import show
+    from fembearing.report.files import compared_files, write_all
+    from fembearing.report.sections.measured import measured_sections
+    from fembearing.report.terminal import print_sections
 
     read = given.scene(scene, measured=data)
     with talk.progress() as progress, output.opened() as place:
         result = compare_measured(read, samples=samples, seed=seed, progress=progress)
         if place is not None:
-            write_comparison(result, read, place)
+            write_all(compared_files(result, read), place)
     if as_json:
         print_json(document("compare", result))
     else:
-        show(out, measured_table(result, SYSTEMS[read.report.units]))
+        print_sections(out, measured_sections(result, SYSTEMS[read.report.units]))
         tell_assumed(read.usual)
         talk.warn(result.warnings, read=read.warnings)
         if output.folder is not None:

@@ -117,43 +117,34 @@ def _show_contact(
     as_json: bool,
 ) -> dict[str, float]:
     """The relative uncertainties of the quantities that are to be known to the accuracy, by their names."""
-    from analytic.words import percent_of
     from fembearing.check.contact.refinement import COMPARED
     from fembearing.check.contact.solution import SHOWN_OF_A_SHEET
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
     from fembearing.quantities import SYSTEMS
-    from fembearing.report.tables.contacts import contact_table, subsurface_table
-    from fembearing.report.terminal.table import show
+    from fembearing.report.sections.contacts import contact_sections
+    from fembearing.report.terminal import print_sections
 
     found = result.numbers
     if as_json:
         print_json(document("contact", found, accuracy=accuracy, subsurface=below))
     else:
-        units = SYSTEMS[read.report.units]
-        show(out, contact_table([found], units))
-        if below is not None:
-            show(out, subsurface_table(below, units))
-        if found.judged:
-            out.print(f"Hertz, tolerance of the scene {percent_of(found.tolerance)}: {found.verdict}")
+        print_sections(out, contact_sections(found, below, SYSTEMS[read.report.units]))
         talk.warn(found.warnings, read=read.warnings)
     return {name: found.estimates[name].total for name in (COMPARED if found.judged else SHOWN_OF_A_SHEET)}
 
 
 def _show_series(result: "LoadSeries", read: "Scene", talk: Talk, *, as_json: bool) -> dict[str, float]:
-    from analytic.words import percent_of
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
     from fembearing.quantities import SYSTEMS
-    from fembearing.report.tables.contacts import series_table
-    from fembearing.report.terminal.table import show
+    from fembearing.report.sections.contacts import series_sections
+    from fembearing.report.terminal import print_sections
 
     if as_json:
         print_json(document("load series", result))
     else:
-        show(out, series_table(result, SYSTEMS[read.report.units]))
-        verdict = "no verdict" if result.verdict == "shown" else result.verdict
-        out.print(f"{verdict}: tolerance {percent_of(result.tolerance)}")
+        print_sections(out, series_sections(result, SYSTEMS[read.report.units]))
         talk.warn(result.warnings, read=read.warnings)
     return {f"approach at {part.load:g} N": part.approach.study.total for part in result.points if part.approach.study}
 

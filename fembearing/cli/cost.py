@@ -30,12 +30,12 @@ def cost(
     from fembearing.check.cost.scene_cost import measure_cost
     from fembearing.cli.console import print_json
     from fembearing.plain_types import plain
-    from fembearing.report.folder import write_cost
+    from fembearing.report.files import cost_files, write_all
 
     with talk.progress() as progress, output.opened() as place:
         result = measure_cost(read, tolerance=limit, progress=progress)
         if place is not None:
-            write_cost(result, place)
+            write_all(cost_files(result), place)
     if as_json:
         print_json(plain(result))
     else:
@@ -47,10 +47,11 @@ def _print(found: "Cost") -> None:
     """Each ladder with error, bound, time and memory, and the machine."""
     from analytic.words import percent_of
     from fembearing.cli.console import out
-    from fembearing.report.tables.cost import cost_table
-    from fembearing.report.terminal.table import show
+    from fembearing.report.document import Section
+    from fembearing.report.sections.cost import cost_table
+    from fembearing.report.terminal import print_sections
 
-    show(out, cost_table(found.ladders))
+    print_sections(out, [Section("", [cost_table(found.ladders)])])
     machine = found.provenance
     versions = ", ".join(f"{name} {version}" for name, version in machine.versions.items() if version)
     out.print(

@@ -51,10 +51,12 @@ def creep(
     coefficient = None if friction is None else read_option("--friction", friction, "friction.coefficient")
     from fembearing.check.creep.scene_creep import creep_of
     from fembearing.cli.console import out, print_json
+    from fembearing.plain_types import document
     from fembearing.quantities import SYSTEMS
-    from fembearing.report.creep_folder import creep_content, write_creep
-    from fembearing.report.tables.creep import creep_table
-    from fembearing.report.terminal.table import show
+    from fembearing.report.document import Section
+    from fembearing.report.files import write_creep
+    from fembearing.report.sections.creep import creep_table
+    from fembearing.report.terminal import print_sections
 
     trouble = None
     with talk.progress() as progress, output.opened() as place:
@@ -70,9 +72,9 @@ def creep(
             trouble = write_creep(result, place)
     numbers = result.numbers
     if as_json:
-        print_json(creep_content(numbers))
+        print_json(document("creep", numbers))
     else:
-        show(out, creep_table(numbers, SYSTEMS[read.report.units]))
+        print_sections(out, [Section("", [creep_table(numbers, SYSTEMS[read.report.units])])])
     pictures = () if trouble is None else (f"no pictures: {trouble}",)
     talk.warn((*(() if as_json else numbers.warnings), *pictures), read=read.warnings)
     raise typer.Exit(reached(limit, "torque by sliding", numbers.relative_uncertainty))

@@ -40,9 +40,9 @@ def duty(
     from analytic.standing import worst_standing
     from fembearing.cli.console import out, print_json, tell_assumed
     from fembearing.plain_types import document
-    from fembearing.report.duty_folder import write_duty
-    from fembearing.report.tables.duty import cycle_table, steps_table
-    from fembearing.report.terminal.table import show
+    from fembearing.report.files import duty_files, write_all
+    from fembearing.report.sections.duty import duty_section
+    from fembearing.report.terminal import print_sections
 
     steps = read_cycle(cycle)
     found = given.by_temperature(scene, columns=vars(steps))
@@ -50,12 +50,11 @@ def duty(
         result, torques = cycle_with_torques(found, steps)
         standing = worst_standing(torques)
         if place is not None:
-            write_duty(result, standing, found.scene, place)
+            write_all(duty_files(result, standing, found.scene), place)
     if as_json:
         print_json(document("duty", result, standing=standing))
     else:
-        show(out, steps_table(result))
-        show(out, cycle_table(result))
+        print_sections(out, [duty_section(result)])
         out.tell(standing.line("turning steps"))
         settled = {"lubricant.temperature"} if found.thermal else set()  # by friction
         tell_assumed({key: value for key, value in found.scene.usual.items() if key not in settled})

@@ -44,10 +44,12 @@ def film(
     limit = read_tolerance(tolerance, read)
     from fembearing.check.film.scene_film import film_of
     from fembearing.cli.console import out, print_json
+    from fembearing.plain_types import document
     from fembearing.quantities import SYSTEMS
-    from fembearing.report.film_folder import film_content, write_film
-    from fembearing.report.tables.film import film_table
-    from fembearing.report.terminal.table import show
+    from fembearing.report.document import Section
+    from fembearing.report.files import film_files, write_all
+    from fembearing.report.sections.film import film_table
+    from fembearing.report.terminal import print_sections
 
     with talk.progress() as progress, output.opened() as place:
         result = film_of(
@@ -59,10 +61,10 @@ def film(
             progress=progress,
         )
         if place is not None:
-            write_film(result, place)
+            write_all(film_files(result), place)
     if as_json:
-        print_json(film_content(result.numbers))
+        print_json(document("film", result.numbers))
     else:
-        show(out, film_table(result.numbers, SYSTEMS[read.report.units]))
+        print_sections(out, [Section("", [film_table(result.numbers, SYSTEMS[read.report.units])])])
         talk.warn(result.numbers.warnings, read=read.warnings)
     raise typer.Exit(reached(limit, *result.numbers.worst))

@@ -132,13 +132,14 @@ def _named(name: str | None) -> Iterator[None]:
 def _print(results: "Mapping[str, SceneTorque]", talk: Talk, *, details: bool) -> None:
     from fembearing.cli.console import out, tell_assumed
     from fembearing.quantities import SYSTEMS
-    from fembearing.report.headline import side_by_side
-    from fembearing.report.sections.torque import headline_section, torque_sections
-    from fembearing.report.terminal.sections import print_sections
-    from fembearing.report.terminal.table import show
+    from fembearing.report.document import Section
+    from fembearing.report.sections.headline import headline_section, side_by_side
+    from fembearing.report.sections.torque import torque_sections
+    from fembearing.report.terminal import print_sections
 
     if len(results) > 1:
-        show(out, side_by_side(results, SYSTEMS[next(iter(results.values())).scene.report.units]))
+        units = SYSTEMS[next(iter(results.values())).scene.report.units]
+        print_sections(out, [Section("", [side_by_side(results, units)])])
     for name, result in results.items():
         before = f"{name}: " if len(results) > 1 else ""
         if not before:

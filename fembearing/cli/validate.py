@@ -76,7 +76,9 @@ def validate(
     from fembearing.plain_types import document
     from fembearing.report.folder import validate as run
     from fembearing.report.report import report_of
-    from fembearing.report.terminal.validation import print_details, print_headline
+    from fembearing.report.sections.headline import check_headline
+    from fembearing.report.sections.validation import detail_sections
+    from fembearing.report.terminal import print_sections
 
     with talk.progress() as progress:
         result = run(
@@ -94,10 +96,10 @@ def validate(
     if as_json:
         print_json(document("validation", report))
     else:
-        print_headline(out, report)
+        print_sections(out, [check_headline(report)])
         if details:
             out.print()
-            print_details(out, report)
+            print_sections(out, detail_sections(report))
         talk.warn(result.warnings, read=read.warnings)
         if output.folder is not None:
             out.tell(f"report: {output.folder / 'report.html'}")

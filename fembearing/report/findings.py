@@ -58,13 +58,14 @@ def findings_of(
     films: Sequence[FilmNumbers],
     creep: Sequence[CreepNumbers],
     change: TorqueChange | None,
+    friction: ShownVerdict,
 ) -> Iterator[Finding]:
-    """One of each reference that the check has."""
+    """One of each reference that the check has;  friction : the verdict on it"""
     yield _of_contacts([contact for contact in contacts if contact.judged])
     if films:
         yield _of_films(films)
     if creep:
-        yield max(map(_of_creep, creep), key=_size)
+        yield max((_of_creep(each, friction) for each in creep), key=_size)
     rings = [contact for contact in contacts if contact.ring is not None]
     if rings:
         yield max(map(_of_ring, rings), key=_size)
@@ -112,7 +113,7 @@ def _of_films(films: Sequence[FilmNumbers]) -> Finding:
     return max(found, key=_size)
 
 
-def _of_creep(creep: CreepNumbers) -> Finding:
+def _of_creep(creep: CreepNumbers, verdict: ShownVerdict) -> Finding:
     """Of all balls of a bearing."""
     return Finding(
         reference="friction",
@@ -120,7 +121,7 @@ def _of_creep(creep: CreepNumbers) -> Finding:
         place=which_bearing(creep.bearing).removeprefix(" of the "),
         difference=creep.torque.difference,
         uncertainty=creep.relative_uncertainty,
-        verdict="shown",
+        verdict=verdict,
     )
 
 

@@ -4,6 +4,7 @@ import os
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Unpack
 
 from analytic.any_scene import scene_by
@@ -13,13 +14,14 @@ from analytic.scene import Scene
 from analytic.scene_torque import Samples
 from analytic.scenefile.parts import Given
 from analytic.writing import new_folder, write
-from fembearing.check.cost.scene_cost import Cost
 from fembearing.check.film.scene_film import RaceFilm
 from fembearing.check.validation import Validation, check_scene
 from fembearing.plain_types import json_of
 
 if TYPE_CHECKING:
+    from fembearing.report.document import Block
     from fembearing.report.report import PictureFile, Report
+    from fembearing.report.sections.validation import Drawn
 
 CHECKED = 0.75  # of the whole job, when the contacts are solved and the report is still to be written
 
@@ -96,14 +98,13 @@ def write_report(result: Validation, folder: Path) -> "tuple[Validation, Report]
 
     Gives the result, with what troubled the writing, and the report that is written.
     """
-    from fembearing.report.figures.page_plots import PLOTS, plots_of
-    from fembearing.report.page.write import page_of  # with matplotlib: half a second that only a report pays for
+    from fembearing.report.figures.page_plots import PLOTS, pictures_of, plots_of  # with matplotlib
     from fembearing.report.pictures.creep import creep_pictures
     from fembearing.report.pictures.draw import draw_pictures
     from fembearing.report.report import report_of
-    from fembearing.report.tables.cost import cost_csv
+    from fembearing.report.sections.cost import cost_csv
 
-    plots = {}
+    plots: dict[str, list[Block]] = {}
 
     def draw_plots() -> None:
         plots.update(plots_of(report_of(result), PLOTS))
@@ -118,9 +119,21 @@ def write_report(result: Validation, folder: Path) -> "tuple[Validation, Report]
     listed += [each.listed for each in slipping if not trouble]
     document = report_of(result, pictures=listed)
     write(folder / "report.json", json_of("validation", document))
-    write(folder / "report.html", page_of(document, folder, plots=plots))
+    drawn = pictures_of(document, folder)
+    for name, blocks in plots.items():
+        drawn.setdefault(name, []).extend(blocks)
+    write(folder / "report.html", report_page(document, drawn))
     write(folder / "cost.csv", cost_csv(document.cost.ladders))
     return result, document
+
+
+def report_page(document: "Report", drawn: "Drawn" = MappingProxyType({})) -> str:
+    """The page of a check;  drawn : plots and pictures, by the name of their section"""
+    from fembearing.report.page.document import page_of
+    from fembearing.report.sections.validation import report_sections
+
+    title = f"{document.scene.name}: friction torque and contact check"
+    return page_of(title, report_sections(document, drawn), document.provenance, details=document.report)
 
 
 def _film_picture(film: RaceFilm, folder: Path) -> "PictureFile":
@@ -133,15 +146,3 @@ def _film_picture(film: RaceFilm, folder: Path) -> "PictureFile":
     file = f"{f'{bearing}-' if bearing else ''}{pair}-film.png"
     write(folder / file, png(film.plot()))
     return PictureFile(file=file, kind="film", pair=pair, geometry="real", caption=CAPTION, bearing=bearing)
-
-
-def write_cost(cost: Cost, folder: Path) -> None:
-    """Write what accuracy costs into a folder: cost.png, cost.csv and cost.json."""
-    from fembearing.report.figures.cost import cost_figures
-    from fembearing.report.figures.style import png
-    from fembearing.report.tables.cost import cost_csv
-
-    ladders = cost.ladders
-    write(folder / "cost.png", png(*cost_figures(ladders, tolerance=cost.tolerance, most=len(ladders) + 1)))
-    write(folder / "cost.csv", cost_csv(ladders))
-    write(folder / "cost.json", json_of("cost", cost))

@@ -159,7 +159,7 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = ()) -> Re
     return Report(
         scene=result.scene,
         verdict=verdicts.summary,
-        findings=tuple(findings_of(contacts, films, creep, change)),
+        findings=tuple(findings_of(contacts, films, creep, change, result.compared.get("friction", "shown"))),
         physical=verdicts.physical,
         report=result.scene.report,
         tolerance=result.tolerance,

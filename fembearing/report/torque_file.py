@@ -17,6 +17,7 @@ from fembearing.quantities import shown_unit
 from fembearing.report.document import Bullets, Section
 from fembearing.report.torque import content_of
 
+CAPTION = "Friction torque by effect, with the 95 % interval of the total and the formulas of makers, as far as known."
 Content = Callable[[SceneTorque], bytes]
 ComparedContent = Callable[[Mapping[str, SceneTorque]], bytes]  # by the name of the scene
 
@@ -88,14 +89,15 @@ def printed_file(result: SceneTorque) -> bytes:
 
 def page_file(result: SceneTorque) -> bytes:
     """The page."""
-    from fembearing.report.figures.page_plots import embedded
-    from fembearing.report.page.document import page_of_sections
-    from fembearing.report.sections.torque import headline_section, torque_sections
+    from fembearing.report.figures.page_plots import drawing_of
+    from fembearing.report.page.document import page_of
+    from fembearing.report.sections.headline import headline_section
+    from fembearing.report.sections.torque import torque_sections
 
-    sections = [headline_section(result), *torque_sections(result, figure=embedded(vector_file(result), "svg+xml"))]
+    sections = [headline_section(result), *torque_sections(result, [drawing_of(result.plot(), CAPTION)])]
     warnings = [Section("Warnings", [Bullets(result.friction.warnings)])] if result.friction.warnings else []
     title = f"{result.scene.name}: friction torque"
-    return page_of_sections(title, [*sections, *warnings], provenance_of(result.scene)).encode()
+    return page_of(title, [*sections, *warnings], provenance_of(result.scene)).encode()
 
 
 def compared_content(target: Path) -> ComparedContent:

@@ -23,8 +23,8 @@ from fembearing.app.evaluation import Evaluation, at_once, completed
 from fembearing.app.page import Page
 from fembearing.app.scene_edit import CATALOG, with_value
 from fembearing.app.server import add_report
-from fembearing.report.sections.torque import headline_section
-from fembearing.report.terminal.sections import print_sections
+from fembearing.report.sections.headline import headline_section
+from fembearing.report.terminal import print_sections
 
 LOAD, SPEED = "operation.radial_load", "operation.inner_speed"
 

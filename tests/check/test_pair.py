@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,7 +16,7 @@ from fembearing.check.contact import scene_contact
 from fembearing.check.contact.bearings import bearings_of
 from fembearing.check.torque_change import change_of_torque
 from fembearing.check.validation import Validation, check_scene
-from fembearing.report.page.write import page_of
+from fembearing.report.folder import report_page
 from fembearing.report.report import Report, report_of
 from tests.analytic.specimens import present
 
@@ -104,9 +103,9 @@ def test_friction_is_that_of_each_bearing_at_its_point_of_the_pair(pair: Validat
     assert pair.creep_change == pytest.approx(first.change * slides / torque.total[1], rel=1e-12)  # round-off
 
 
-def test_numbers_and_page_name_the_bearing(document: Report, tmp_path: Path) -> None:
+def test_numbers_and_page_name_the_bearing(document: Report) -> None:
     assert [(contact.bearing, contact.pair) for contact in document.contacts] == RACES
-    text = " ".join(page_of(document, tmp_path, plots={}).split())
+    text = " ".join(report_page(document).split())
     for bearing, race in RACES:
         assert f"Ball on {race} race of the {bearing} bearing at" in text
         assert f"Friction on the {race} race of the {bearing} bearing" in text

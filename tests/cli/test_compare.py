@@ -98,7 +98,7 @@ def test_a_folder_has_page_numbers_table_and_figure(command: Run, place: Path) -
     page = (folder / "compare.html").read_text("utf-8")
     assert "Missed: 1 of 2 measured torques is outside its 95 % interval." in page
     assert 'class="too">too low' in page
-    assert "data:image/png;base64," in page
+    assert "data:image/svg+xml;base64," in page
 
 
 @pytest.mark.parametrize(

@@ -19,9 +19,8 @@ from fembearing.check.validation import Validation
 from fembearing.plain_types import document, plain
 from fembearing.provenance import provenance_of
 from fembearing.report.report import report_of
-from fembearing.report.sections.torque import torque_sections
-from fembearing.report.tables.torque import RESIDUE
-from fembearing.report.terminal.sections import print_sections
+from fembearing.report.sections.torque import RESIDUE, torque_sections
+from fembearing.report.terminal import print_sections
 from fembearing.report.torque import content_of
 from fembearing.report.torque_file import torque_content
 from tests.analytic.specimens import present
@@ -137,7 +136,7 @@ def terminal_agrees(result: SceneTorque) -> None:
     rows = rows_after(lines, "Friction torque of")
     assert len(rows) == total.size
     for number, row in enumerate(rows):
-        cells = row[row.index(speed_cell(friction, number)) + 1 :]
+        cells = row[place_of(TO_RPM * friction.inner_speed[number], row) + 1 :]
         cells = cells[len(cells) - len(parts) - 2 - (result.catalogue.band is not None) :]
         counted = [p[number] if p[number] > RESIDUE * total[number] else 0.0 for p in parts.values()]
         assert [float(cell) for cell in cells[: len(parts)]] == [digits(1e3 * part, 4) for part in counted]
@@ -150,8 +149,9 @@ def terminal_agrees(result: SceneTorque) -> None:
         assert [float(cell) for cell in row[2 : 2 + len(CONTACT)]] == expected
 
 
-def speed_cell(friction: FrictionTorque, number: int) -> str:
-    return f"{TO_RPM * friction.inner_speed[number]:.5g}"
+def place_of(speed: float, row: list[str]) -> int:
+    """Of the speed among the cells: after the number of the point, to its five digits."""
+    return next(place for place, cell in enumerate(row) if place and abs(float(cell) - speed) <= 1e-4 * abs(speed))
 
 
 def digits(value: float, count: int) -> float:
@@ -179,7 +179,7 @@ def page_agrees(check: Validation) -> None:
     page = written_page(check)
     parts, total = known_parts(friction), friction.torque.total
     shown = [*(np.where(part > RESIDUE * total, part, 0.0) for part in parts.values()), total]
-    for rows in tables_of(page, "Friction torque of"):
+    for rows in [*tables_of(page, "Friction torque of"), *tables_of(page, "Friction torque by effect")]:
         assert [row["#"] for row in rows] == [str(number + 1) for number in range(friction.torque.total.size)]
         for row in rows:
             number, start = int(row["#"]) - 1, row["speed, rpm"]
@@ -187,7 +187,7 @@ def page_agrees(check: Validation) -> None:
             names = [*parts, "total"]
             assert [float(row[name]) for name in names] == [digits(1e3 * part[number], 4) for part in shown]
     judged = [each.numbers for each in check.contacts if each.numbers.judged]
-    for row, contact in zip(tables_of(page, "contacts")[0], judged, strict=True):
+    for row, contact in zip(tables_of(page, "Contacts: Hertz")[0], judged, strict=True):
         assert float(row["ball load, N"]) == digits(contact.load, 4)
         pressures = [float(row["peak pressure, GPa: Hertz"]), float(row["finite elements"])]
         reference = contact.reference.peak_pressure

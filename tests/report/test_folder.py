@@ -22,7 +22,6 @@ from fembearing.plain_types import plain
 from fembearing.report import folder as module
 from fembearing.report.figures import page_plots
 from fembearing.report.folder import validate
-from fembearing.report.page import write as page
 from fembearing.report.pictures import draw as pictures
 from fembearing.report.report import report_of
 
@@ -94,7 +93,7 @@ def test_a_folder_that_cannot_be_made_is_refused_first(
     assert "\n" not in str(refusal.value)
 
 
-@pytest.mark.parametrize("where", ["check_scene", "page_of"])
+@pytest.mark.parametrize("where", ["check_scene", "report_page"])
 def test_nothing_is_left_of_a_report_that_fails(
     solved: Validation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str
 ) -> None:
@@ -102,7 +101,7 @@ def test_nothing_is_left_of_a_report_that_fails(
         raise KeyboardInterrupt
 
     monkeypatch.setattr(pictures.draw_pictures, "__kwdefaults__", {"renderer": BROKEN})
-    monkeypatch.setattr(module if where == "check_scene" else page, where, fail)
+    monkeypatch.setattr(module, where, fail)
     with pytest.raises(KeyboardInterrupt):
         validate(solved.scene, out=tmp_path / "report")
     assert list(tmp_path.iterdir()) == []

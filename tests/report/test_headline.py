@@ -9,9 +9,11 @@ from rich.console import Console
 
 from analytic.scene_torque import SceneTorque, torque_of_scene, with_interval
 from analytic.scenefile.read import load_scene
-from fembearing.report.headline import (
+from fembearing.report.document import Section, Table
+from fembearing.report.sections.headline import (
     declared_by,
     film_words,
+    headline_section,
     headline_table,
     side_by_side,
     span_of,
@@ -19,10 +21,7 @@ from fembearing.report.headline import (
     torque_headline,
     torque_words,
 )
-from fembearing.report.sections.torque import headline_section
-from fembearing.report.tables.table import Table
-from fembearing.report.terminal.sections import print_sections
-from fembearing.report.terminal.table import show
+from fembearing.report.terminal import print_sections
 from tests.analytic.specimens import present
 
 
@@ -86,7 +85,7 @@ def test_scenes_side_by_side_have_one_row_each(result: SceneTorque) -> None:
     names = ("spindle-6206.toml", "b.toml")
     table = side_by_side(dict.fromkeys(names, result))
     out = StringIO()
-    show(Console(file=out, width=80), table)
+    print_sections(Console(file=out, width=80), [Section("", [table])])
     assert [line.split()[0] for line in out.getvalue().splitlines()[3:5]] == list(names)
 
 

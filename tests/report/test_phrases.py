@@ -6,21 +6,12 @@ import pytest
 
 from analytic.scenefile.keys import UNCERTAIN
 from analytic.verdicts import PhysicalCheck
+from analytic.words import rounded
 from fembearing.quantities import METRIC
-from fembearing.report.phrases import (
-    angle_cell,
-    between,
-    digits,
-    input_name,
-    listed,
-    loads_of,
-    present_loads,
-    rounded,
-    shown,
-    value_of,
-    varying_loads,
-    worst_of,
-)
+from fembearing.report.phrases import angle_cell, between, digits, input_name, listed, shown
+from fembearing.report.sections.inputs import value_of
+from fembearing.report.sections.limits import worst_of
+from fembearing.report.sections.points import loads_of, present_loads, varying_loads
 
 
 def test_every_uncertain_input_has_a_name() -> None:

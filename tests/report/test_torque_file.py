@@ -18,7 +18,7 @@ from analytic.scenefile.read import load_scene, parse_scene
 from fembearing import cli
 from fembearing.plain_types import plain
 from fembearing.report import torque_folder
-from fembearing.report.tables.torque import ball_table
+from fembearing.report.sections.torque import ball_table
 from fembearing.report.torque import content_of
 from fembearing.report.torque_file import CONTENTS, torque_content
 from fembearing.report.torque_folder import torque_with_files

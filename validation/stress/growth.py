@@ -26,10 +26,7 @@ from analytic.scenefile.template import scene_text as template
 from analytic.standing import worst_standing
 from fembearing.check.creep.scene_creep import creep_of
 from fembearing.check.film.scene_film import film_of
-from fembearing.report.creep_folder import write_creep
-from fembearing.report.duty_folder import write_duty
-from fembearing.report.film_folder import write_film
-from fembearing.report.measured_folder import write_comparison
+from fembearing.report.files import compared_files, duty_files, film_files, write_all, write_creep
 from validation.stress.damage import CYCLE, MEASURED
 from validation.stress.tab import Tab
 
@@ -100,7 +97,7 @@ def _contact(calls: int) -> Call:
 
 
 def _film(scene: Scene, folder: Path) -> None:
-    write_film(film_of(scene, pair="outer", tolerance=LOOSE), folder)
+    write_all(film_files(film_of(scene, pair="outer", tolerance=LOOSE)), folder)
 
 
 def _creep(scene: Scene, folder: Path) -> None:
@@ -109,13 +106,13 @@ def _creep(scene: Scene, folder: Path) -> None:
 
 def _compare(scene: Scene, folder: Path) -> None:
     (folder / "measured.csv").write_text(MEASURED, "utf-8")
-    write_comparison(fembearing.compare_measured(scene, folder / "measured.csv", samples=64), scene, folder)
+    write_all(compared_files(fembearing.compare_measured(scene, folder / "measured.csv", samples=64), scene), folder)
 
 
 def _duty(scene: Scene, folder: Path) -> None:
     (folder / "cycle.csv").write_text(CYCLE, "utf-8")
     cycle, torques = cycle_with_torques(any_by_temperature(scene), read_cycle(folder / "cycle.csv"))
-    write_duty(cycle, worst_standing(torques), scene, folder)
+    write_all(duty_files(cycle, worst_standing(torques), scene), folder)
 
 
 def _export(scene: Scene, folder: Path) -> None:

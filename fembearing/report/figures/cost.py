@@ -11,7 +11,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 from analytic.figures.style import BLUE, LETTERS, WIDTH, lettered
 from fembearing.check.cost.ladder import Ladder, Method
 from fembearing.report.phrases import capital
-from fembearing.report.tables.cost import short_name
+from fembearing.report.sections.cost import short_name
 
 LEAST, MOST = 1e-4, 500.0  # %: what is nearer to the reference, or farther off, is drawn here
 ON_A_PAGE = 4  # panels

@@ -1,13 +1,17 @@
-"""Every plot of the page, in the order of its sections, and how a plot becomes part of the page."""
+"""Every plot and picture of the page, in the order of its sections, as blocks of a document."""
 
 import base64
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from pathlib import Path
+from typing import Literal
 
 from matplotlib.figure import Figure
 
 from analytic.words import percent_of
+from fembearing.quantities import METRIC
+from fembearing.report.document import Block, Drawing, Text, View
 from fembearing.report.figures.bearing import bearing_plot
 from fembearing.report.figures.cage import cage_plot
 from fembearing.report.figures.contacts import approach_plot, convergence_plot, pressure_plot
@@ -19,8 +23,10 @@ from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.figures.style import svg
 from fembearing.report.figures.torque import friction_plot, torque_plot
 from fembearing.report.report import Report
+from fembearing.report.sections.contacts import contact_title
 
 PIXELS = 96  # of a page, per inch
+SENTENCE_END = re.compile(r"(?<=[.]) (?=[A-Z])")
 Section = Literal[  # of an appendix, or the summary's drawing of the bearing
     "bearing", "torque", "measured", "contacts", "pictures", "meshes", "ring", "cage", "sensitivity", "cost"
 ]
@@ -35,32 +41,47 @@ class Plot:
     draw: Callable[[Report], tuple[Figure | list[Figure] | None, str]]
 
 
-class ShownPlot(NamedTuple):
-    """A plot as the template shows it; without a source the caption says why."""
-
-    heading: str
-    caption: str
-    source: str | None = None  # a data address
-    width: int = 0  # of the picture on a screen, pixels
-
-
-def plots_of(document: Report, plots: Sequence[Plot]) -> dict[str, list[ShownPlot]]:
-    """Every plot drawn, by section, in their order."""
-    shown: dict[str, list[ShownPlot]] = {}
+def plots_of(document: Report, plots: Sequence[Plot]) -> dict[str, list[Block]]:
+    """Every plot drawn, by section, in their order; where there is nothing to draw, why."""
+    shown: dict[str, list[Block]] = {}
     for plot in plots:
         drawn, caption = plot.draw(document)
         figures = drawn if isinstance(drawn, list) else [drawn]
         for number, figure in enumerate(figures):
             heading, words = (f"{plot.heading}, continued", "") if number else (plot.heading, caption)
-            shown.setdefault(plot.section, []).append(_shown(heading, words, figure))
+            blocks = shown.setdefault(plot.section, [])
+            if figure is not None:
+                blocks.append(drawing_of(figure, words, heading))
+            elif words:
+                blocks.append(Text(words, wide=True, quiet=True))
     return shown
 
 
-def _shown(heading: str, caption: str, figure: Figure | None) -> ShownPlot:
-    if figure is None:
-        return ShownPlot(heading, caption)
-    width = round(PIXELS * figure.get_figwidth())
-    return ShownPlot(heading, caption, embedded(svg(figure), "svg+xml"), width)
+def drawing_of(figure: Figure, caption: str, heading: str = "") -> Drawing:
+    """A figure as a block of a page."""
+    return Drawing(embedded(svg(figure), "svg+xml"), caption, heading, width=round(PIXELS * figure.get_figwidth()))
+
+
+def pictures_of(document: Report, folder: Path) -> dict[str, list[Block]]:
+    """The pictures that lie beside report.json, by section; a sentence that several share stands in the first."""
+    said: set[str] = set()
+    shown: dict[str, list[Block]] = {}
+    for picture in document.pictures:
+        sentences = [each for each in SENTENCE_END.split(picture.caption) if each not in said]
+        said |= {*sentences}
+        caption, title = " ".join(sentences), contact_title(document.contact_of(picture))
+        content = (folder / picture.file).read_bytes()
+        if picture.kind == "view":
+            shown.setdefault("pictures", []).append(View(content.decode(), caption, title))
+        elif picture.kind in ("film", "creep"):
+            shown.setdefault(picture.kind, []).append(Drawing(embedded(content), caption, title))
+        else:
+            shown.setdefault("pictures", []).append(Drawing(embedded(content), caption, title, beside=True))
+    turning = shown.get("pictures", [])
+    turning.sort(key=lambda block: isinstance(block, View))  # those to turn stand last
+    if turning and document.units is not METRIC:
+        turning.insert(0, Text("Scales and captions of the pictures are in metric units.", wide=True, quiet=True))
+    return shown
 
 
 def embedded(content: bytes, kind: Literal["png", "svg+xml"] = "png") -> str:

@@ -6,9 +6,12 @@ from matplotlib.figure import Figure
 
 from analytic.figures.style import BLACK, BLUE, ORANGE, SKY, WIDTH, lettered
 from analytic.prediction.prediction import Prediction
+from analytic.units import speed_words
 from fembearing.quantities import Units
-from fembearing.report.phrases import MADE_OF, explained_words, input_name, loads_of, present_loads, speed_words
+from fembearing.report.phrases import input_name
 from fembearing.report.report import Report
+from fembearing.report.sections.points import loads_of, present_loads
+from fembearing.report.sections.prediction import MADE_OF, explained_words
 
 MOST = 8  # inputs that are drawn
 ROW, HEADS = 0.14, 1.15  # inches: of a bar with its name, and of all that stands above and below

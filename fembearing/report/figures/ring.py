@@ -9,10 +9,11 @@ from matplotlib.ticker import MaxNLocator
 
 from analytic.figures.style import BLUE, LETTERS, RED, WIDTH, lettered
 from analytic.loads.ring_state import Balls
+from analytic.units import speed_words
 from fembearing.quantities import Units
 from fembearing.report.figures.torque import NO_TORQUE
-from fembearing.report.phrases import loads_of, present_loads, speed_words
 from fembearing.report.report import Report
+from fembearing.report.sections.points import loads_of, present_loads
 
 LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--")}  # the lines may lie on each other
 HIGH, LINE = 2.4, 0.17  # inches, without the loads in the titles, and for each of them

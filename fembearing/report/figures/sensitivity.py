@@ -9,8 +9,9 @@ from matplotlib.figure import Figure
 from analytic.figures.style import BLACK, BLUE, LETTERS, ORANGE, WIDTH, lettered
 from fembearing.check.sensitivity import Input, Output, Sensitivity
 from fembearing.quantities import CONTACT, Units
-from fembearing.report.phrases import input_name, loads_of, present_loads
+from fembearing.report.phrases import input_name
 from fembearing.report.report import Report
+from fembearing.report.sections.points import loads_of, present_loads
 
 NAMES = {"total_torque": "total torque", "peak_pressure": CONTACT["peak_pressure"].name}
 LEAST = 1e-6  # relative: inputs that move nothing by as much are named in the caption alone

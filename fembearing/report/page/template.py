@@ -5,8 +5,6 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from fembearing.report.phrases import listed, shown
-
 
 def filled(template: str, /, **content: Any) -> str:
     """The text of a template of this folder; content : what its names stand for."""
@@ -30,5 +28,5 @@ def environment() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    made.filters |= {"shown": shown, "listed": listed, "kind": lambda block: type(block).__name__}
+    made.filters["kind"] = lambda block: type(block).__name__
     return made

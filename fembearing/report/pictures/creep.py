@@ -18,9 +18,9 @@ from fembearing.check.creep.scene_creep import SceneCreep
 from fembearing.creep.ball import Grid, RaceCreep, turn_ball
 from fembearing.creep.rolling import STICKS
 from fembearing.quantities import MILLI, unit_for
-from fembearing.report.phrases import title_of
 from fembearing.report.pictures.framing import round_length
 from fembearing.report.report import PictureFile
+from fembearing.report.sections.contacts import title_of
 
 SEEN = Grid(28, 14)  # in a picture
 WIDTH, HEIGHT = 1400, 900  # pixels

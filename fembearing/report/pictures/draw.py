@@ -19,12 +19,14 @@ from typing import Any, Literal
 from matplotlib.ticker import MaxNLocator
 
 from analytic.writing import write
+from fembearing.check.contact.bearings import place_of
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.quantities import MILLI, unit_for
 from fembearing.report.page.view import view_page
-from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
+from fembearing.report.phrases import AXES
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
 from fembearing.report.report import PictureFile
+from fembearing.report.sections.contacts import shoulder_lines, title_of
 
 RENDERER = (sys.executable, "-m", "fembearing.report.pictures.render")
 COLOURS = re.compile(r"\x1b\[[0-9;]*m")  # of a terminal, in what VTK says

@@ -15,8 +15,9 @@ from fembearing.check.contact.hertz import corrected_hertz, hertz_quantities
 from fembearing.check.contact.refinement import COMPARED, solve_reference
 from fembearing.check.contact.solution import ContactSolution, compare_contact, is_correctable
 from fembearing.mesh.recipe import Recipe, load_recipe
-from fembearing.report.tables.contacts import contact_table
-from fembearing.report.terminal.table import show
+from fembearing.report.document import Section
+from fembearing.report.sections.contacts import contact_table
+from fembearing.report.terminal import print_sections
 from tests.analytic.specimens import present
 
 
@@ -33,7 +34,7 @@ def test_the_pressure_of_a_cut_contact_is_not_called_its_peak(cut_contact: Conta
     """It is the pressure at y = 0; at the shoulder it has no bound."""
     assert cut_contact.meshes[-1].pressure.max() > 1.02 * cut_contact.numbers.reference.peak_pressure
     out = StringIO()
-    show(Console(file=out, width=80), contact_table([cut_contact.numbers]))
+    print_sections(Console(file=out, width=80), [Section("", [contact_table([cut_contact.numbers])])])
     assert "peak pressure" not in out.getvalue()
     assert "pressure at y = 0, GPa" in out.getvalue()
 

@@ -45,7 +45,7 @@ from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import area_of, bars_of, line_of, points_of, require_legible
 from tests.report.figures.intervals import INTERVAL
-from tests.report.measured_rows import TWO
+from tests.report.specimens import TWO
 
 RPM = 30 / np.pi
 TESTED_APART = {"cost_figures", "sensitivity_plot"}  # in files of their own

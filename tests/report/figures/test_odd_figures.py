@@ -22,7 +22,7 @@ from fembearing.report.report import Report
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document, labels_of, line_of, points_of, require_legible
 from tests.report.figures.intervals import interval_of
-from tests.report.measured_rows import comparison, row
+from tests.report.specimens import comparison, row
 
 
 def report_with(*contacts: Any) -> Report:

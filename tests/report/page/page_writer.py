@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from fembearing.check.validation import Validation
-from fembearing.report.figures.page_plots import Plot, plots_of
-from fembearing.report.page.write import page_of
+from fembearing.report.figures.page_plots import Plot, pictures_of, plots_of
+from fembearing.report.folder import report_page
 from fembearing.report.pictures.draw import Picture
 from fembearing.report.report import report_of
 
@@ -20,4 +20,7 @@ def written_page(
     """
     document = report_of(result, pictures=[picture.listed for picture in pictures])
     place = folder or (pictures[0].file.parent if pictures else Path())
-    return page_of(document, place, plots=plots_of(document, plots))
+    drawn = pictures_of(document, place)
+    for name, blocks in plots_of(document, plots).items():
+        drawn.setdefault(name, []).extend(blocks)
+    return report_page(document, drawn)

@@ -25,7 +25,7 @@ SUMMARY = (
     "Bearing and operation",
     "Friction torque by effect, N mm",
     "Contacts: Hertz against finite elements",
-    "Physical limits",
+    "Limits of the bearing",
     "Notes and warnings",
     "Not validated by measurement",
     "Sign-off",
@@ -34,7 +34,6 @@ SUMMARY = (
 ALWAYS = (  # of the appendices; no sections of a scene without torque or cage
     "Inputs and effects",
     "Contacts",
-    "Contact pressure",
     "Meshes and convergence",
     "Cost of accuracy",
     "Warnings and next steps",

@@ -11,23 +11,19 @@ import pytest
 from rich.console import Console
 
 from fembearing.check.comparison import compared, compared_with
-from fembearing.check.contact.load_series import LoadPoint, LoadSeries
-from fembearing.check.contact.stiffness_law import StiffnessLaw
-from fembearing.check.contact.subsurface import NAMES, SubsurfaceComparison
 from fembearing.check.validation import Validation
 from fembearing.plain_types import plain
 from fembearing.report.report import report_of
-from fembearing.report.tables.contacts import pocket_table, series_table, subsurface_table
-from fembearing.report.terminal.table import show
-from fembearing.report.terminal.validation import print_details
-from tests.analytic.specimens import present
+from fembearing.report.sections.contacts import pocket_tables
+from fembearing.report.sections.validation import detail_sections
+from fembearing.report.terminal import print_sections
 
 NARROW = 80  # columns, of a pipe
 
 
 def text_of(result: Validation) -> str:
     out = StringIO()
-    print_details(Console(file=out, width=NARROW), report_of(result))
+    print_sections(Console(file=out, width=NARROW), detail_sections(report_of(result)))
     return out.getvalue()
 
 
@@ -67,25 +63,6 @@ def test_what_is_not_known_of_a_limit_is_neither_pass_nor_fail(made: Validation)
     assert plain(report_of(result))["verdict"]["physical"] == "unknown"
 
 
-def test_a_stress_has_its_share_and_a_depth_its_length() -> None:
-    """Hertz's von Mises stress is greatest on the surface here: a length is off, no share."""
-    hertz, by_fe = (0.612e9, 75.3e-6, 1.12e9, 0.0), (0.6e9, 75e-6, 1.11e9, 3.5e-6)
-    found = map(compared, hertz, by_fe, (0.003e9, 0.61e-6, 0.0222e9, 1.4e-6))
-    quantities = dict(zip(NAMES, found, strict=True))
-    quantities[NAMES[-1]] = replace(quantities[NAMES[-1]], discrepancy=None)
-    below = SubsurfaceComparison(side="lower", quantities=quantities)
-    out = StringIO()
-    show(Console(file=out, width=NARROW), subsurface_table(below))
-    rows = rows_of(out.getvalue())
-    for row in (
-        ["shear, GPa", "0.6120", "0.6000", "+2.00% *", "0.50%"],
-        ["its depth, um", "75.30", "75.00", "+0.40%", "0.61 um"],
-        ["von Mises, GPa", "1.120", "1.110", "+0.90%", "2.00%"],
-        ["its depth, um", "0.000", "3.500", "- *", "1.4 um"],
-    ):
-        assert row in rows
-
-
 def pocket(geometry: str, approach: tuple[float, float], stiffness: tuple[float, float]) -> Any:
     """By finite elements, with uncertainty each, relative."""
     found = {"approach": compared(0.6e-6, approach[0], approach[1] * approach[0])}
@@ -104,7 +81,7 @@ def test_a_pocket_is_softer_by_its_sheet_which_is_a_spring_in_series() -> None:
     seat = pocket("real", (0.58e-6, 0.01), (63e9, 0.015))
     sheet = pocket("wall", (0.88e-6, 0.02), (39e9, 0.03))
     race: Any = SimpleNamespace(pair="inner")
-    table = present(pocket_table([race, race, seat, sheet]))
+    (table,) = pocket_tables([race, race, seat, sheet])
     assert table.label.endswith("at 28.5 N")
     assert table.groups[0].rows == [
         ["half spaces, Hertz", "60.00", "", "+0.0%", "0.6000"],
@@ -112,77 +89,10 @@ def test_a_pocket_is_softer_by_its_sheet_which_is_a_spring_in_series() -> None:
         ["sheet on its rim", "39.00", "3.00%", "-35.0%", "0.8800"],
     ]
     # 0.0058 and 0.0176 of 0.3 um
-    assert table.notes == ["Sheet in series with the seat: 95 N/um +- 7.80%, for cage.sheet_stiffness."]
+    assert table.notes[0] == "Sheet in series with the seat: 95 N/um +- 7.80%, for cage.sheet_stiffness."
     stiff = pocket("wall", (0.59e-6, 0.02), (39e9, 0.03))
-    assert present(pocket_table([seat, stiff])).notes == []
-    assert pocket_table([race]) is None
-
-
-def under(load: float, hertz: float, approach: float, mesh: float, tangent: tuple[Any, Any]) -> LoadPoint:
-    """One load of a series; mesh : relative uncertainty, beside 4 % of the domain"""
-    uncertainty = float(np.hypot(mesh, 0.04)) * approach
-    return LoadPoint(
-        load=load,
-        quantities={"approach": compared(hertz, approach, uncertainty)},
-        tangent=tangent[0],
-        tangent_uncertainty=tangent[1],
-        hertz_tangent=1.5 * load / hertz,
-    )
-
-
-def series(**changed: Any) -> LoadSeries:
-    given: dict[str, Any] = {
-        "pair": "pocket",
-        "contact_angle": 0.0,
-        "geometry": "wall",
-        "tolerance": 0.05,
-        "points": (
-            under(20.0, 5.6e-6, 5e-6, 0.03, (7.1e6, 0.034)),
-            under(64.0, 8.2e-6, 8e-6, 0.03, (9.3e6, None)),
-            under(40.0, 6e-6, 7.5e-6, 0.075, (None, None)),
-        ),
-        "law": None,
-        "pocket_law": None,
-        "hertz_stiffness": 60e9,
-        "verdict": "shown",
-        "warnings": (),
-        "meshes": 3,
-        "seconds": 12.3,
-        "peak_memory": None,
-    }
-    return LoadSeries(**given | changed)
-
-
-def test_each_load_of_a_series_has_its_approach_and_its_tangent() -> None:
-    """Hertz's tangent is 1.5 F/delta."""
-    table = series_table(series())
-    assert table.label == "Ball in cage pocket, sheet on its rim: 3 loads"
-    assert table.groups[0].rows == [
-        ["20", "5.6000", "5.0000", "+12.00% *", "5.00%", "7.100", "3.40%", "5.357"],
-        ["64", "8.2000", "8.0000", "+2.50%  ", "5.00%", "9.300", "-", "11.71"],
-        ["40", "6.0000", "7.5000", "-20.00% *", "8.50%", "-", "-", "10.00"],
-    ]
-    assert len(table.notes) == 2  # without a law
-    assert table.notes[-1] == "Finite elements, wall, 3 meshes for all loads, 12.3 s"
-    assert series_table(series(meshes=1)).notes[-1].endswith("wall, 1 mesh for all loads, 12.3 s")
-
-
-def test_the_law_of_a_series_has_the_uncertainties_that_are_known() -> None:
-    law = StiffnessLaw(
-        stiffness=24.5e9,
-        exponent=1.47,
-        stiffness_uncertainty=0.21,
-        misfit=0.012,
-        propagated=0.005,
-        exponent_uncertainty=0.017,
-    )
-    assert series_table(series(law=law)).notes[0] == (
-        "F = K delta^n: K 24.5 GN/m^1.4700 +- 21.00%, n 1.4700 +- 0.0170 by finite elements; 60 GN/m^1.5 and 1.5 by "
-        "Hertz."
-    )
-    two = replace(law, stiffness_uncertainty=None, misfit=None, exponent_uncertainty=None)
-    said = series_table(series(law=two)).notes[0]
-    assert "K 24.5 GN/m^1.4700, n 1.4700 (power law assumed) by finite elements" in said
+    assert "series" not in pocket_tables([seat, stiff])[0].notes[0]
+    assert pocket_tables([race]) == []
 
 
 def test_every_word_of_the_table_fits(checked: Validation) -> None:
@@ -202,13 +112,6 @@ def test_every_word_of_the_table_fits(checked: Validation) -> None:
     assert all(row.rstrip().endswith("undecided") for row in rows)
     assert max(map(len, text_of(wide).splitlines())) <= NARROW
     assert "\N{HORIZONTAL ELLIPSIS}" not in text_of(wide)
-
-
-def test_a_scene_without_friction_is_told_that_there_is_no_torque(checked: Validation) -> None:
-    bare = text_of(replace(checked, torque=None, torque_change=None))
-    assert "No torque:" in bare
-    assert "Friction torque" not in bare
-    assert "No torque:" not in text_of(checked)
 
 
 @pytest.mark.parametrize("verdict", ["pass", "outside validity"])

@@ -7,10 +7,10 @@ import pytest
 from rich.console import Console
 
 from fembearing.check.measured.rows import MeasuredRow
-from fembearing.quantities import INCH_POUND
-from fembearing.report.tables.measured import measured_table
-from fembearing.report.terminal.table import show
-from tests.report.measured_rows import FASTER, comparison, row
+from fembearing.report.document import Section
+from fembearing.report.sections.measured import measured_table
+from fembearing.report.terminal import print_sections
+from tests.report.specimens import FASTER, comparison, row
 
 
 @pytest.mark.parametrize(
@@ -28,32 +28,5 @@ def test_a_terminal_has_what_varies(rows: tuple[MeasuredRow, ...], heads: list[s
     assert [head.short or head.text for head in table.heads if not head.wide] == heads
     assert all(len(cells) == len(table.heads) for cells in table.groups[0].rows)
     out = Console(width=80, record=True, file=StringIO())
-    show(out, table)
+    print_sections(out, [Section("", [table])])
     assert "\N{HORIZONTAL ELLIPSIS}" not in out.export_text()  # nothing is cut off
-
-
-def test_the_cells_are_the_numbers_of_the_row() -> None:
-    table = measured_table(comparison(row(), FASTER))
-    cells = dict(zip([head.text for head in table.heads], table.groups[0].rows[0], strict=True))
-    expected = {
-        "speed, rpm": "600",
-        "axial load, N": "700",
-        "measured": "40.00",
-        "+-": "2",
-        "computed": "50.00",
-        "95 %": "40.5-63",
-        "E, %": "+25.0",
-        "u_num, %": "1",
-        "u_input, %": "7.5",
-        "u_D, %": "5",
-        "u_val, %": "9",
-        "formulas, %": "12",
-        "beyond, %": "1.2",
-        "verdict": "too high",
-    }
-    assert {name: cells[name] for name in expected} == expected
-    assert "axial load 700 N, oil at 60 degC" in table.label
-    assert table.notes[:2] == ["Missed: one of them.", "From the scene: all else."]
-    inch = measured_table(comparison(row()), INCH_POUND)
-    assert "157.4 lbf" in inch.label or "157.37 lbf" in inch.label
-    assert "oil at 140 degF" in inch.label

@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.left_out import LeftOut, Places
 from fembearing.quantities import INCH_POUND, METRIC
-from fembearing.report.tables.points import (
+from fembearing.report.sections.points import (
     fixed_loads,
     heaviest_point,
     point_cells,
