@@ -22,8 +22,7 @@ def csv_of_columns(columns: Mapping[str, tuple[Unit, ArrayLike]], *, first: Word
     """
     numbers = {
         f"{name} [{unit.name or '1'}]": [
-            "" if np.isnan(value) else f"{value:.15g}"
-            for value in unit.number(_settled(values)).tolist()
+            "" if np.isnan(value) else f"{value:.15g}" for value in unit.number(_settled(values)).tolist()
         ]
         for name, (unit, values) in columns.items()
     }

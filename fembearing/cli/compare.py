@@ -62,6 +62,4 @@ def compare(
         talk.warn(result.warnings, read=read.warnings)
         if output.folder is not None:
             out.tell(f"report: {output.folder / 'compare.html'}")
-        count = f"{result.inside} of {len(result.rows)} inside"
-        out.tell(f"{result.verdict}: {count}, {result.samples} samples, {result.seconds:.1f} s")
     raise typer.Exit(STATUS[result.verdict])

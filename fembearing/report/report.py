@@ -137,11 +137,6 @@ class Report:
         """In which page and figures show these numbers, which are SI."""
         return SYSTEMS[self.report.units]
 
-    @property
-    def pocket_load(self) -> str:
-        """The load of the pocket, N, as the page says it."""
-        return f"{self.contacts[-1].load:g}"
-
     def contact_of(self, picture: PictureFile) -> ContactNumbers:
         """The contact that a picture shows."""
         return next(each for each in self.contacts if _place_of(each) == _place_of(picture))

@@ -19,7 +19,6 @@ from fembearing.report.sections.headline import (
     span_of,
     split_of,
     torque_headline,
-    torque_words,
 )
 from fembearing.report.terminal import print_sections
 from tests.analytic.specimens import present
@@ -111,7 +110,6 @@ def test_a_series_is_told_from_its_least_to_its_greatest(series: SceneTorque) ->
     low, high = 1e3 * present(series.interval)
     assert found.torque == f"{totals.min():.4g}-{totals.max():.4g}"
     assert found.interval == f"{low.min():.3g}-{high.max():.3g}"
-    assert torque_words(series).startswith(f"torque {found.torque} N mm at 7 points, 95 % {found.interval}, ")
 
 
 def test_the_parts_are_shares_of_the_total_from_the_largest_and_none_of_0_per_cent(result: SceneTorque) -> None:

@@ -215,13 +215,6 @@ def span_of(result: SceneTorque, units: Units = METRIC) -> Span:
     )
 
 
-def torque_words(result: SceneTorque, units: Units = METRIC) -> str:
-    """Torque, interval, power and the largest parts in a line."""
-    found, count, name = span_of(result, units), len(result.places.computed), units.torque.name
-    series = "" if count == 1 else f" at {count} points"
-    return f"torque {found.torque} {name}{series}, 95 % {found.interval}, {found.power} W: {found.split}"
-
-
 def declared_by(result: SceneTorque) -> str:
     """What the declared part of the torque is of: seals, drag or both."""
     return "+".join(each.name for each in result.friction.effects.unmeasured if each.name in DECLARED and each.share)
