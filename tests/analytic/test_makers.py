@@ -13,10 +13,8 @@ import pytest
 from analytic.catalog.bearing_rows import bearing_names, find_bearing
 from analytic.errors import InputError
 from analytic.makers import (
-    CatalogueBand,
     CatalogueCase,
     bearing_series,
-    catalogue_band,
     iso_torque,
     palmgren_inclined_torque,
     palmgren_torque,
@@ -56,11 +54,6 @@ def skf(**changed: object) -> np.ndarray:
 def palmgren(**changed: object) -> np.ndarray:
     case, rest = case_of({"load_factor": 5e-4} | changed)
     return palmgren_torque(case, **rest)
-
-
-def band(**changed: object) -> CatalogueBand:
-    case, rest = case_of({"lubrication": "oil_bath"} | changed)
-    return catalogue_band(case, **rest)
 
 
 def by_hand(

@@ -14,7 +14,7 @@ from analytic.numerics.elements import mapped
 from analytic.numerics.records import Records
 from analytic.scene import ContactAngle, Land, Operation, Scene
 from tests.analytic.cage.specimens import CAGED, RPM, with_cage
-from tests.analytic.specimens import FINISH, OIL, balls_of, present
+from tests.analytic.specimens import balls_of, present
 
 SPEEDS = np.array([500.0, -740.0, 0.0]) * RPM
 SOLVED = ContactAngle(rule="solved", free=0.18)
@@ -119,6 +119,3 @@ def test_the_grip_of_a_race_counts_loads_above_0_alone() -> None:
     unloaded["load"][:, 4] = 0.0
     friction = present(driven_by(unloaded, np.where(np.arange(9) == 4, np.nan, 0.07)).grip.friction)
     np.testing.assert_allclose(friction, 0.07 * np.moveaxis(unloaded["load"], -1, 0), rtol=1e-12)
-
-
-OILED = replace(CAGED, friction_coefficient=None, lubricant=OIL, surface=FINISH, contact_angle=SOLVED)

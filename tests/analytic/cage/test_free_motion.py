@@ -10,7 +10,6 @@ from analytic.cage.motion import CageMotion, MeanMotion
 from analytic.cage.pocket import impact
 from analytic.cage.raceways import Raceways, ring_raceways
 from analytic.cage.statistics import measured_motion
-from analytic.cage.steady import LandGuidance
 from analytic.contact.geometry import RACES
 from analytic.errors import InputError
 from analytic.scene import Operation
@@ -21,7 +20,6 @@ from tests.refusals import refused
 
 FRICTIONLESS = 1e-30  # of the races; they refuse 0
 THRUST = races_under_thrust()
-NARROW_LAND = LandGuidance(radius=17e-3, half_clearance=0.02e-3, outside=False, speed=W, half_width=5e-3)
 
 
 def energy_error(steps_per_contact: float) -> float:

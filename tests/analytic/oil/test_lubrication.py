@@ -35,11 +35,8 @@ from tests.refusals import refuses
 CLOSED = replace(OIL, film_formula="nijenbanning", rolling_formula="biboulet")
 WARM = replace(CLOSED, temperature=331.0, compressible=False)
 ROUGH = replace(FINISH, rms_roughness=0.3e-6, gap="truncated")
-ELASTIC = replace(FINISH, gap="elastic")
 SPEEDS = (0.0, -3.1, 420.0)  # rad/s
-VARIED = Variation(film=0.83, asperity_pressure=1.21, asperity_share=0.6, rolling=0.77)
 ALL = {"asperities": True, "heats": True, "starves": True}
-BORE, OUTSIDE = 25e-3, 52e-3  # m
 
 
 def loaded(race: int, point: int) -> ContactNumbers:
