@@ -21,15 +21,6 @@ def test_the_land_rises_to_speed_with_the_ring() -> None:
     assert powers[0] < 0.02 * powers[1]  # by then it has reached 0.2 % of 34 mm/s
 
 
-def test_the_land_guides_the_cage_before_the_pockets() -> None:
-    land = LandGuidance(radius=17e-3, half_clearance=0.05e-3, outside=False, speed=W, half_width=5e-3)
-    motion = CageMotion(replace(CAGE, land=land), begin="rest", seed=2)
-    motion.advance(0.05)
-    passed = motion.advance(0.05)
-    assert passed.land_power > 0
-    assert passed.distance < 0.06e-3
-
-
 @pytest.mark.parametrize(("outside", "speed"), [(False, 50.0), (True, -40.0)])
 def test_a_rotating_land_drives_the_cage(outside: bool, speed: float) -> None:
     """A cage at standstill hangs on its land and touches no ball: mu m g times the radius of the land turns it."""

@@ -274,17 +274,6 @@ def test_the_ring_without_radial_load_has_the_races_of_thrust() -> None:
     np.testing.assert_allclose(ring.alone.slip_power.mean(), thrust.alone.slip_power[0], rtol=1e-4)
 
 
-def test_the_azimuths_of_a_ring_are_those_of_its_balls() -> None:
-    operation = at(load=430.0, moment=0.7)
-    races = ring_raceways(BEARING_6205, ANGLE, operation, friction=(0.1, 0.1))
-    balls = balls_of(scene_at(operation))[0]
-    each = races.contacts.load.shape[1] // 9
-    np.testing.assert_allclose(races.contacts.load[:, ::each], balls["load"].T, rtol=1e-9)
-    # Halfway between two balls the load is between theirs or near it: no jump from one place of the set to the next.
-    steps = np.abs(np.diff(races.contacts.load, axis=1))
-    assert steps.max() < 3 * np.sort(steps, axis=1)[:, -9:].min()
-
-
 def test_impossible_races_are_refused() -> None:
     for friction in ((0.0, 0.0), (-0.1, 0.1)):
         refuses(partial(replace, races_under_thrust()), friction=friction)
