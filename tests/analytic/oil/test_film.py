@@ -8,12 +8,9 @@ from hypothesis import given
 
 from analytic.oil.film import (
     CentralFilm,
-    Inflow,
-    asymptotes_of,
     central_film,
     density_ratio,
     inlet_heating_factor,
-    log_film_of,
     shear_heat,
 )
 from tests.analytic.specimens import hertzian
@@ -86,20 +83,6 @@ def test_the_printed_formula_in_40_digits(load: float, speed: float, alpha: floa
     found = film(**changed)
     np.testing.assert_allclose(found.thickness, min(expected, cap), rtol=1e-12)  # round-off of ln h, some 30 at most
     assert found.capped == (expected > cap)
-
-
-@given(load=loads, speed=speeds, alpha=st.floats(1e-9, 3e-8), remaining=st.floats(-3, 0), compressible=st.booleans())
-def test_the_slope_by_the_load_that_remains_is_that_of_the_film(
-    load: float, speed: float, alpha: float, remaining: float, compressible: bool
-) -> None:
-    """What sharing the load iterates by, against differences."""
-    here = CONTACT | OIL | {"load": load, "entrainment_speed": speed, "pressure_viscosity": alpha}
-    contact, _ = hertzian(here)
-    asymptotes = asymptotes_of(contact, Inflow(speed, OIL["viscosity"], alpha, compressible))
-    step = 1e-5
-    (up, _), (down, _) = (log_film_of(asymptotes, remaining + sign * step) for sign in (1, -1))
-    _, slope = log_film_of(asymptotes, remaining)
-    np.testing.assert_allclose(slope, (up - down) / (2 * step), rtol=1e-6, atol=1e-8)  # round-off over the step
 
 
 def test_the_density_of_oil_in_the_digits_given() -> None:

@@ -155,15 +155,6 @@ def test_without_load_nothing_is_shared() -> None:
     np.testing.assert_allclose(found.film_thickness[0, 0], 1 / (310 + 14.7), rtol=1e-14)
 
 
-def test_a_factor_thins_the_film() -> None:
-    gap = rough(0.2e-6)
-    cold, warm = mixed(gap), mixed(gap, film_factor=0.7)
-    assert warm.asperity_share > cold.asperity_share
-    share = float(warm.asperity_share)
-    film = smooth_film(load=613.0 * (1 - share), modulus=E * (1 - share))
-    np.testing.assert_allclose(warm.film_thickness, 0.7 * film, rtol=1e-12)
-
-
 def test_a_pocket_keeps_the_film_within_its_clearance() -> None:
     """A circular, conformal contact under light load, where the formula gives more than the clearance."""
     ball, pocket, gap = 3.97e-3, 4.07e-3, 0.05e-3

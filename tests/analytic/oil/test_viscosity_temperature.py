@@ -103,11 +103,6 @@ def test_the_cold_line_of_synthetic_oils_lies_within_its_uncertainty(points, col
     assert error < 2 * found.deviation(-40 + ZERO)
 
 
-def test_between_its_points_and_above_them_the_line_has_no_uncertainty_of_its_own() -> None:
-    found = line(THICK)
-    assert [found.deviation(t + ZERO) for t in (40.0, 70.0, 140.0)] == [0.0, 0.0, 0.0]
-
-
 def test_the_line_is_refused_far_beyond_its_points() -> None:
     reach = line(THICK)
     assert (reach.coldest, reach.hottest) == pytest.approx((-40 + ZERO, 140 + ZERO))
