@@ -10,7 +10,6 @@ from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
 from analytic.loads.pair import PairContacts, PairEquilibrium, pair_equilibrium
 from analytic.loads.ring import ring_equilibrium
-from analytic.loads.thrust import thrust_equilibrium
 from analytic.loads.turning import Inertia
 from analytic.scene import Arrangement, Bearing, ContactAngle, Groove, Operation
 from tests.contacts import STEEL
@@ -108,36 +107,12 @@ def test_each_bearing_alone_is_loaded_as_in_the_pair() -> None:
     np.testing.assert_allclose(tilts[0], found.tilt, rtol=1e-6)
 
 
-def test_tandem_shares_the_thrust_equally() -> None:
-    found = pair(loads([170.0, 830.0]), kind="tandem")
-    np.testing.assert_allclose(found.axial_load, np.array([[85.0, 415.0]] * 2), rtol=STATICS)
-    one = thrust_equilibrium(bearing(), SOLVED, axial_load=np.array([85.0, 415.0]))
-    np.testing.assert_allclose(found.ball_load, [one["load"][:, 0]] * 2, rtol=STATICS)
-
-
 @pytest.mark.parametrize("contacts", [HERTZ, PairContacts(inertia=STILL)])
 def test_the_stiffness_is_the_slope_of_the_curve(contacts: PairContacts) -> None:
     at = np.array([0.0, 150.0, 480.0, 1300.0])  # the second bearing is relieved at about 570 N
     less, more = (pair(loads(at + step), contacts, preload=200.0) for step in (0.0, 0.5))
     slope, middle = 0.5 / (more.displacement - less.displacement), (less.stiffness + more.stiffness) / 2
     np.testing.assert_allclose(slope, middle, rtol=5e-3)  # K is held, and its change with the angle left out
-
-
-def test_two_balls_hold_the_shaft_along_its_axis_alone() -> None:
-    """A series of thrusts has the slope of its displacement, and a radial load is refused."""
-    few = bearing(ball_count=2)
-    at = np.array([0.0, 30.0])
-    less, more = (
-        pair_equilibrium(few, SOLVED, Arrangement(kind="O", preload=40.0), loads(at + step), HERTZ)
-        for step in (0.0, 0.1)
-    )
-    slope, middle = 0.1 / (more.displacement - less.displacement), (less.stiffness + more.stiffness) / 2
-    np.testing.assert_allclose(slope, middle, rtol=5e-3)  # as above
-    aside = loads(11.0, radial=3.0)
-    alone = PairContacts(load_distribution=False, inertia=STILL, finite_geometry=False)
-    found = pair_equilibrium(few, SOLVED, Arrangement(kind="O", preload=40.0), aside, alone)
-    assert not found.radial_load.any()
-    assert not found.moment.any()
 
 
 def test_offset_and_preload_say_the_same() -> None:
@@ -157,14 +132,6 @@ def test_corrected_contacts_take_their_part() -> None:
     assert 1.002 < fitted.stiffness[0] / hertz.stiffness[0] < 1.05  # the groove closes in on the ball
     # An approach of 0.9 shortens the offset by as much, less what the contact angle opens less.
     assert 0.9 < factored.offset / hertz.offset < 0.93
-
-
-def test_speed_presses_balls_outward() -> None:
-    fast = pair(loads([0.0, 5000.0], speed=3000.0), PairContacts(), preload=200.0)
-    assert fast.preload == 200.0
-    assert np.all(fast.axial_load[:, 0] > 205.0)  # a rigid preload grows with the balls' centrifugal force
-    assert fast.is_relieved.tolist() == [[False, False], [False, True]]
-    assert fast.is_pressed.all()  # by balls that climb outward in their grooves
 
 
 def test_what_no_pair_can_be_is_refused() -> None:
