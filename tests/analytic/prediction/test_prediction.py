@@ -77,12 +77,6 @@ def test_a_torque_that_is_linear_in_its_inputs_has_its_closed_interval_and_indic
             assert predicted.indices.total[place, 0] == pytest.approx(share, abs=0.03), each.key
 
 
-def test_one_uncertain_part_has_the_interval_of_its_lognormal_distribution(predicted: Prediction) -> None:
-    seals = predicted.parts["declared"]
-    ends = 4e-3 * np.exp(np.array([-1, 1]) * 1.959964 * 1.5 / 4)
-    np.testing.assert_allclose([seals.low[0], seals.high[0]], ends, rtol=0.02)  # 256 samples, one-dimensional
-
-
 def test_alone_the_parts_of_the_interval_are_those_of_their_inputs(predicted: Prediction) -> None:
     nominal = predicted.nominal.torque.total[0]
     low, high = predicted.made_of["numerical"][:, 0]

@@ -119,15 +119,10 @@ def saved(path: Path, heights: object) -> Path:
     ("heights", "words"),
     [
         (np.full((40, 40), np.nan), "row 0, column 0 is not finite"),
-        (np.where(np.eye(40) > 0, 0.0, np.inf), "row 0, column 1 is not finite"),
-        (np.zeros(500), "has the shape (500,)"),
         (np.zeros((40, 40, 2)), "has the shape (40, 40, 2)"),
         (np.zeros((31, 400)), "has 31 by 400 points; give 32 to 4096"),
         (np.zeros((32, 4097), dtype=np.int8), "has 32 by 4097 points"),
-        (np.zeros((0, 40)), "has 0 by 40 points"),
         (np.zeros((40, 40), dtype=complex), "holds complex128, not real numbers"),
-        (np.zeros((40, 40), dtype="U5"), "not real numbers"),
-        (np.zeros((40, 40), dtype=bool), "holds bool"),
         (ROUGH * 1e6, "give them in m, not in um"),
         (np.array([[Bomb()] * 40] * 40), "not a matrix of numbers"),
     ],
@@ -151,20 +146,14 @@ def refusal(path: Path) -> str:
     ("name", "content", "words"),
     [
         ("a.csv", b"", "holds no numbers"),
-        ("a.csv", b"# only a header\n\n", "holds no numbers"),
         ("a.csv", b"1,2\n3\n", "not a matrix of numbers"),
-        ("a.csv", b"1;2\n3;4\n", "not a matrix of numbers"),
         ("a.csv", b"x,y\n3,4\n", "not a matrix of numbers"),
-        ("a.csv", b"\xff\xfe\x00", "not a matrix of numbers"),
-        ("a.csv", b"1e-7,2e-7\n" * 50, "has 50 by 2 points"),
         ("a.csv", (b"1e-7," * 39 + b"nan\n") * 40, "row 0, column 39 is not finite"),
-        ("a.npy", b"", "not a matrix of numbers"),
         ("a.npy", b"PK\x03\x04 a zip file", "not a matrix of numbers"),
         ("a.npy", b"\x93NUMPY\x01\x00\x76\x00{'descr': '<f8', 'fortran_order': False, 'shape': (40,", "not a matrix"),
         ("a.csv", b"1e-7,2e-7\n" * 4097, "has more than 4096 rows; give 32 to 4096 in each direction"),
         ("a.csv", b"0" * (LONGEST_LINE + 1), "has a line of more than 409600 bytes; give 32 to 4096"),
         ("a.txt", b"1,2", "give a .npy or .csv"),
-        ("a.npz", b"1,2", "give a .npy or .csv"),
     ],
 )
 def test_a_file_that_is_no_map_is_refused(tmp_path: Path, name: str, content: bytes, words: str) -> None:
@@ -209,16 +198,6 @@ def test_a_text_map_is_read_and_measured_within_four_times_its_size(tmp_path: Pa
     tracemalloc.stop()
     # 5 MB: a band of rows with its spectra, the same for the largest map; a third more while the matrix grows
     assert peak < 4 * file.stat().st_size * (4 / 3 if per_number == 2 else 1) + 5e6
-
-
-def test_text_of_short_lines_without_end_takes_no_memory(tmp_path: Path) -> None:
-    """As a list of lines this file would take thirty times its size."""
-    (tmp_path / "map.csv").write_bytes(b"1\n" * 2_000_000)
-    tracemalloc.start()
-    assert "more than 4096 rows" in refusal(tmp_path / "map.csv")
-    peak = tracemalloc.get_traced_memory()[1]
-    tracemalloc.stop()
-    assert peak < 2e6  # half the file
 
 
 def test_a_missing_file_and_a_folder_are_refused(tmp_path: Path) -> None:

@@ -76,22 +76,6 @@ def test_exponential_moments_are_differences_at_the_spacing(spacing: float) -> N
     np.testing.assert_allclose(computed.curvature, SQ**2 * float(curvature), rtol=1e-13)
 
 
-def test_moments_of_generated_surfaces_over_many_seeds(smooth_measurements: list[Measurement]) -> None:
-    """Against the covariances at these lags. Subtracting the mean of the map reduces Sq^2 by the mean of rho."""
-    d, one, two = SMOOTH.spacing, lagged(0, 1), lagged(0, 2)
-    mean_rho = np.pi * SMOOTH.length**2 / (POINTS * d) ** 2
-    assert_mean([computed.moments.height for computed in smooth_measurements], SQ**2 * (1 - mean_rho))
-    assert_mean([computed.moments.slope for computed in smooth_measurements], SQ**2 * (2 - 2 * one) / d**2)
-    assert_mean(
-        [computed.moments.curvature for computed in smooth_measurements], SQ**2 * (6 - 8 * one + 2 * two) / d**4
-    )
-    closed = spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH)
-    # The systematic errors are the next terms of the series in d, at a tenth of the length.
-    assert_mean([computed.moments.slope for computed in smooth_measurements], closed.slope, systematic=0.005)
-    assert_mean([computed.moments.curvature for computed in smooth_measurements], closed.curvature, systematic=0.0166)
-    assert_mean([computed.correlation_length for computed in smooth_measurements], SMOOTH.length, systematic=0.01)
-
-
 def test_counted_summits_agree_with_mccool(smooth_measurements: list[Measurement]) -> None:
     """Points above their neighbours against the closed form."""
     expected = mccool_summits(spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH))
