@@ -140,14 +140,6 @@ def test_a_counterbored_ring_ends_at_the_bottom_of_its_groove(bearing_6205: Bear
         race_contact(bearing, "outer", contact_angle=0.0, ball_load=LOAD)
 
 
-def test_a_far_shoulder_that_is_not_given_is_as_the_near_one(bearing_6205: Bearing) -> None:
-    plain, given = with_half_widths(bearing_6205, 2.9e-3, None), with_half_widths(bearing_6205, 2.9e-3, 2.9e-3)
-    for angle in (-0.3, 0.0, 0.17):
-        one, other = (race_contact(each, "inner", contact_angle=angle, ball_load=LOAD) for each in (plain, given))
-        assert one == other
-    assert one.shoulder < one.far_shoulder
-
-
 @pytest.mark.parametrize(
     ("near", "far", "wrong"), [(3.1e-3, -0.1e-3, "-0.1"), (3.1e-3, 4.3e-3, "4.3"), (4.5e-3, 3.1e-3, "4.5")]
 )

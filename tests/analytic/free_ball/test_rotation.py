@@ -269,18 +269,6 @@ def test_a_slanting_slip_is_resisted_by_both_flexibilities_or_by_none() -> None:
     assert (-large["along"], -large["across"]) == pytest.approx((3 * whole, 2 * whole), rel=3e-3)  # likewise
 
 
-def test_oil_in_series_with_the_surfaces_is_softer_than_either() -> None:
-    row, slip, passing = contact(**(OILED | {"radius": 1e9, "boundary": 0.0, "fluidity": 1e7})), (3e-9, 0.0, 0.0), 0.01
-    along = {}
-    for name, changed in (("both", {}), ("oil", {"flexibility": 1e-18}), ("surfaces", {"fluidity": 1e30})):
-        softened = row.copy()
-        for key, value in changed.items():
-            softened[key] = value
-        outcome = one_contact(softened, slip, passing=passing, nodes=Nodes(16, 16))
-        along[name] = -outcome["along"]
-    assert 0 < along["both"] < min(along["oil"], along["surfaces"])
-
-
 def with_fields(state: Record, **changed: float) -> Record:
     other = state.copy()
     for name, value in changed.items():
@@ -325,15 +313,6 @@ def test_the_powers_of_the_law_are_integrals_over_the_contact(law: dict[str, flo
     assert contacts[0].law_power == pytest.approx(area * float(stresses @ sliding.ravel()), rel=3e-3)  # of the cells
     assert contacts[0].unit_power == pytest.approx(area * float(np.sum(pressure * sliding)), rel=3e-3)
     assert contacts[1].law_power == contacts[1].unit_power == 0
-
-
-def test_at_standstill_all_friction_opposes_the_slip_at_once() -> None:
-    """Surfaces that do not pass each other have no creep."""
-    row = contact(radius=1e9)
-    outcome = one_contact(row, (3e-9, 4e-9, 0.0), passing=0.0, nodes=Nodes(24, 24))
-    found = -outcome["along"], -outcome["across"]
-    # 24 marched nodes at even angles are 1e-2 off the sum over a strip.
-    assert found == pytest.approx((0.6 * 0.07 * 300.0, 0.8 * 0.07 * 300.0), rel=0.01)
 
 
 NODES = Nodes(16, 12)

@@ -114,27 +114,9 @@ def test_a_free_angle_that_does_not_fit_moves_both_grooves_alike(scene: Scene) -
     np.testing.assert_allclose(given, moved, rtol=1e-8)  # residuals of 1e-10
 
 
-def test_a_given_angle_holds_loads_but_not_how_balls_turn(scene: Scene) -> None:
-    held = friction_torque(replace(scene, contact_angle=ContactAngle(rule="given", value=0.33)))
-    assert held.is_on("creep")
-    np.testing.assert_array_equal(held.contact_angle, 0.33)
-    assert present(held.torque.spin)[0] > 0
-
-
 def test_creep_is_refused_with_a_rule(scene: Scene) -> None:
     with pytest.raises(InputError, match=r'effects\.creep = "on" is refused: friction\.spin_rule = "inner_control"'):
         friction_torque(replace(scene, spin_rule="inner_control", effects={"creep": "on"}))
-
-
-def test_loads_that_the_scene_leaves_out_stay_out_beside_weight(scene: Scene) -> None:
-    off = {**scene.effects, "load_distribution": "off", "weight": "on"}
-    aside, alone = (
-        friction_torque(
-            replace(at(scene, radial_load=radial), down=(1.0, 0.0, 0.0), tolerance=0.4, effects=off)
-        ).ball_load
-        for radial in (30.0, 0.0)
-    )
-    np.testing.assert_array_equal(aside, alone)
 
 
 RUNAWAY = """

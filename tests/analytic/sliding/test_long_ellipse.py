@@ -161,16 +161,6 @@ def test_the_balanced_spin_leaves_no_moment_and_loses_least(
     np.testing.assert_allclose(share, least.x, atol=1e-4)  # a flat minimum is found to the root of its value
 
 
-@pytest.mark.parametrize(("rule", "spinning"), [("outer_control", "inner"), ("inner_control", "outer")])
-def test_under_control_only_the_other_race_spins(bearing_6205: Bearing, rule: SpinRule, spinning: str) -> None:
-    found = torque(both_contacts(bearing_6205, angle=0.18), (0.1, 0.07), np.sin(0.18), rule)
-    still = "outer" if spinning == "inner" else "inner"
-    assert getattr(found, f"{still}_spin_rate") == 0
-    assert getattr(found, f"{still}_spin_moment") == 0
-    moment = abs(getattr(found, f"{spinning}_spin_moment"))
-    np.testing.assert_allclose(found.spin, moment * np.sin(0.18), rtol=1e-14)  # equation 10, round-off
-
-
 SIZES = st.one_of(st.just(0.0), st.floats(1e-9, 10.0))
 
 
