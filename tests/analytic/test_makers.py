@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.catalog.bearing_rows import bearing_names, find_bearing
 from analytic.errors import InputError
 from analytic.makers import (
     CatalogueCase,
@@ -154,21 +153,6 @@ def test_palmgren_of_angular_contact_bearings_by_hand(supply: Any, viscous: floa
         np.testing.assert_allclose(found * 1e3, expected, rtol=2e-6)  # six digits
 
 
-def test_palmgren_of_a_load_of_a_tenth_of_the_rating_is_the_usual_factor() -> None:
-    """f_1 = 4.6e-4 of [Jungnickel2010], for a load of 0.1 C: the second source of z and its exponent."""
-    case, _ = case_of(SEVEN | {"axial_load": 0.0, "radial_load": 2400.0, "ring_speed": 0.0})
-    loaded = palmgren_inclined_torque(case, lubrication="oil_bath") * 1e3 - 160e-7 * 3.3 * 60**3
-    assert loaded / (2400 * 60) == pytest.approx(4.6e-4, rel=0.03)  # two digits, and C for C_0
-
-
-def test_the_thrust_of_flat_contacts_counts_as_in_a_deep_groove_bearing() -> None:
-    def of(degrees: float) -> float:
-        case, _ = case_of(SEVEN | {"axial_load": 700.0, "ring_speed": 70.0})
-        return float(palmgren_inclined_torque(case._replace(free_angle=math.radians(degrees)), lubrication="grease"))
-
-    assert of(15.0) == of(5.0) == of(0.0) > of(25.0) > of(40.0)
-
-
 @pytest.mark.parametrize(("rpm", "nu"), [(130.0, 41.0), (2600.0, 17.0)])
 def test_thrust_ball_bearings_by_hand(rpm: float, nu: float) -> None:
     """A 51106, 30 x 47 mm, C_0 of 43 kN, under 2.3 kN."""
@@ -209,12 +193,6 @@ def test_iso_15312_at_its_reference_load(series: str) -> None:
     within = thrusts <= (429 if "B" in series else 130)  # 1.1 F_r, F_r/3
     np.testing.assert_allclose(found[within] * 1e3, expected, rtol=1e-12)  # round-off
     assert np.all(np.isnan(found[~within]))
-
-
-def test_every_series_of_deep_groove_bearings_has_constants() -> None:
-    rows = [find_bearing(name) for name in bearing_names()]
-    assert {row.series for row in rows if row.nominal_angle is None} == {*PRINTED, "62"}
-    assert not {row.series for row in rows if row.nominal_angle is not None} & {*PRINTED, "62"}
 
 
 def test_a_pair_has_the_sum_over_both_bearings_at_their_own_loads() -> None:

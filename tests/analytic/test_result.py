@@ -124,14 +124,3 @@ def test_the_cage_of_a_result_is_that_of_its_torque() -> None:
     for result in (friction_torque("6206", radial_load="2 kN"), friction_torque("7208B", axial_load="900 N")):
         assert result.cage is not None
         np.testing.assert_allclose(result.torque.cage, result.cage.torque, rtol=1e-8)  # of the ring's balance
-
-
-def test_races_without_friction_refuse_a_cage_at_once() -> None:
-    scene = load_scene("paper_6205", speed="0 rpm")
-    assert scene.surface is not None
-    assert scene.cage is not None
-    still = replace(scene, cage=replace(scene.cage, start=None))
-    refused(
-        lambda: friction_torque(replace(still, surface=replace(scene.surface, boundary_friction=0.0))),
-        "races with a friction of 0 drive no cage",
-    )

@@ -15,14 +15,6 @@ from tests.analytic.test_thrust_bearing import BEARING as THRUST_BEARING
 from tests.refusals import refused
 
 
-def test_a_bearing_has_its_pitch_clearance_and_centre_distance_by_hand() -> None:
-    """Of table 1 of the paper, mm: 15.53 + 23.48, 2 (23.48 - 15.53 - 7.94), 4.13 + 4.21 - 7.94."""
-    assert BEARING_6205.ball_radius == pytest.approx(3.97e-3, rel=1e-12)
-    assert BEARING_6205.pitch_diameter == pytest.approx(39.01e-3, rel=1e-12)
-    assert BEARING_6205.diametral_clearance == pytest.approx(20e-6, rel=1e-9)  # a small difference
-    assert BEARING_6205.groove_centre_distance == pytest.approx(0.40e-3, rel=1e-9)
-
-
 def test_a_bearing_is_a_deep_groove_bearing_by_its_series() -> None:
     for series, is_deep in (("62", True), ("618", True), ("72 B", False), ("NSK 72 C", False)):
         assert replace(BEARING_6205, series=series).is_deep_groove == is_deep

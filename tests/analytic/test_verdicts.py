@@ -129,24 +129,6 @@ def outer_control_hold(speed: float, angle: np.ndarray, load: np.ndarray) -> np.
     return moment / (2 * 0.083 * load * r)
 
 
-def test_the_hold_of_balls_at_the_edge_of_the_loaded_zone_does_not_count() -> None:
-    given = scene(100.0, speed=23.0, contact_angle=ContactAngle(rule="solved"))
-    operation = replace(given.operation, radial_load=300.0, tilt="free")
-    ruled = PLAIN | {"creep": "off", "load_distribution": "on"}
-    result = friction_torque(
-        replace(given, operation=operation, friction_coefficient=0.083, effects=ruled, spin_rule="outer_control")
-    )
-    ring = present(result.ring)
-    load, angle = ring.load[0, 0], ring.contact_angle[0, 0]
-    holds, share = outer_control_hold(23.0, angle, load), load / load.max()
-    assert share.min() < 0.09
-    # The lightest ball would be the worst, or its mirror image.
-    assert share[np.argmax(holds)] == pytest.approx(share.min(), rel=1e-9)
-    expected = holds[share >= 0.1].max()
-    found = check(result, "gyroscopic_hold", "ball")
-    assert found.value == pytest.approx(expected, rel=1e-3)  # the balls' own forces part the loads of both races
-
-
 def lubricated(speed: float, load: float, **given: Any) -> Scene:
     return scene(load, speed, lubricant=OIL, **given)
 

@@ -8,12 +8,11 @@ import pytest
 
 from analytic.cage.motion import CageMotion, MeanMotion
 from analytic.cage.pocket import impact
-from analytic.cage.raceways import Raceways, ring_raceways
+from analytic.cage.raceways import Raceways
 from analytic.cage.statistics import measured_motion
 from analytic.contact.geometry import RACES
 from analytic.errors import InputError
-from analytic.scene import Operation
-from tests.analytic.cage.raceway_specimens import ANGLE, cage_on, races_under, races_under_thrust
+from tests.analytic.cage.raceway_specimens import cage_on, races_under, races_under_thrust
 from tests.analytic.cage.specimens import WEIGHTLESS, W
 from tests.analytic.specimens import BEARING_6205
 from tests.refusals import refused
@@ -101,19 +100,6 @@ def test_balls_and_cage_at_one_speed_never_touch() -> None:
     np.testing.assert_allclose(9 * THRUST.alone.slip_power, passed.alone_power, rtol=1e-12)
 
 
-def test_the_forces_of_an_instant_carry_the_cage() -> None:
-    """And asking for them changes nothing."""
-    cage = cage_on(THRUST)
-    motion, asked = (CageMotion(cage, THRUST, begin="rest", steps_per_contact=20) for _ in range(2))
-    passed = motion.advance(0.01), asked.advance(0.01)
-    total = asked.forces().sum(axis=0)
-    np.testing.assert_allclose(
-        total, [0, cage.mass * 9.80665, 0], atol=0.02 * cage.mass * 9.80665
-    )  # it swings a little
-    assert passed[0] == passed[1]
-    assert motion.advance(1e-3) == asked.advance(1e-3)
-
-
 @pytest.mark.parametrize(("loads", "race"), [((372.0, 180.0), 1), ((200.0, 372.0), 0)])
 def test_a_cage_brakes_a_ball_up_to_the_grip_of_its_races(loads: tuple[float, float], race: int) -> None:
     """N = min(2 mu Q_i/(1 + mu_c), 2 mu Q_o/(1 - mu_c)): both races share N, and the friction in the pocket.
@@ -130,28 +116,6 @@ def test_a_cage_brakes_a_ball_up_to_the_grip_of_its_races(loads: tuple[float, fl
     np.testing.assert_allclose(passed.force / 9, limit, rtol=5e-3)  # the ball's axis leans, so its friction does
     assert passed.grip > 0.999
     assert abs(2 * friction * loads[race] / (1 + sign * pocket) / limit - 1) > 8e-3  # with the loads at rest
-
-
-def test_a_dragging_cage_takes_its_moment_from_the_races() -> None:
-    cage = cage_on(THRUST, gravity=WEIGHTLESS, drag=2e-4)
-    passed = measured(cage, THRUST, "rest", after=0.02, during=0.05, steps=20)
-    np.testing.assert_allclose(passed.moment, 2e-4 * THRUST.alone.orbit_speed, rtol=0.01)
-    drag, slip = passed.drag_power / W, passed.slip_power / W
-    np.testing.assert_allclose(drag, 2e-4 * THRUST.alone.orbit_speed**2 / W, rtol=0.01)
-    np.testing.assert_allclose(slip, 0.2089e-3, rtol=0.02)  # of another program
-    # What the ring does more than without a cage is what the cage loses.
-    more = passed.ring_power - passed.alone_power
-    np.testing.assert_allclose(more, passed.slip_power + passed.drag_power + passed.damping_power, rtol=0.01)
-
-
-def test_balls_under_radial_load_lead_without_pressing_a_wide_cage() -> None:
-    """A lead of 119 um, and 0.2 mm of clearance: the cage gives way and hangs as at rest."""
-    operation = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([W]), radial_load=500.0, tilt="free")
-    races = ring_raceways(BEARING_6205, ANGLE, operation, friction=(0.1, 0.1))
-    cage = cage_on(races)
-    passed = measured(cage, races, "rest", after=0.03, during=0.03, steps=20)
-    np.testing.assert_allclose(passed.slip_power / W, 0.062e-3, rtol=0.03)  # of another program, rounded
-    np.testing.assert_allclose(passed.race_power, passed.alone_power, rtol=1e-4)
 
 
 def test_running_backwards_is_the_mirror_image() -> None:

@@ -14,7 +14,6 @@ from analytic.cage.drive import (
     race_grip,
     squeeze_force,
 )
-from analytic.errors import InputError
 from analytic.scene import Array, ContactAngle, Decision, Operation
 from tests.analytic.cage.specimens import CAGED
 from tests.analytic.specimens import BEARING_6205, balls_of, present
@@ -53,13 +52,6 @@ def test_the_carried_force_is_that_of_a_force_balance(inner: float, outer: float
     np.testing.assert_allclose(braked, balanced_force(inner, outer, friction, drives=False), rtol=1e-9)
     driven = carried_force(inner_grip=outer, outer_grip=inner, pocket_friction=friction)  # the races change places
     np.testing.assert_allclose(driven, balanced_force(inner, outer, friction, drives=True), rtol=1e-9)
-
-
-def test_pocket_friction_of_1_leaves_the_outer_race_free() -> None:
-    assert carried_force(inner_grip=30.0, outer_grip=1e-9, pocket_friction=1.0) == pytest.approx(30.0)
-    assert carried_force(inner_grip=0.0, outer_grip=5.0, pocket_friction=1.0) == 0.0
-    with pytest.raises(InputError, match="inner_grip"):
-        carried_force(inner_grip=-1.0, outer_grip=5.0, pocket_friction=0.1)
 
 
 @pytest.mark.parametrize(  # um, by an independent code
@@ -217,30 +209,20 @@ def test_of_three_angles_balls_that_were_not_squeezed_take_the_first() -> None:
     np.testing.assert_allclose(force(1.001 * room), third(1.001 * room), rtol=1e-9)  # one angle, found twice
 
 
-@pytest.mark.parametrize(
-    ("lead", "room", "stiffness", "grip"),
-    [
-        (51.4e-6, 40e-6, 5e9, (75.0, 75.0)),
-        (54.0e-6, 52e-6, 6e10, (75.0, 75.0)),
-        (118.4e-6, 100e-6, 6e10, (106.0, 57.0)),
-        pytest.param(283e-6, 200e-6, 6e10, (245.0, 50.0), marks=pytest.mark.nightly),  # seconds: stiff
-    ],
-)
-def test_creep_that_saturates_stays_within_the_spread(
-    lead: float, room: float, stiffness: float, grip: tuple[float, float]
-) -> None:
-    """At 2 mu Q, alike or unequal; the friction of the pockets takes nothing of the grip here."""
-    squeeze = Squeeze(lead=lead, room=room, creep=4.1e-7, stiffness=stiffness, friction=0.1, grip=grip)
+@pytest.mark.parametrize("lead", [118.4e-6, 104e-6])
+def test_creep_that_saturates_stays_within_the_spread(lead: float) -> None:
+    """At unequal 2 mu Q; the friction of the pockets takes nothing of the grip here."""
+    grip = 106.0, 57.0
+    squeeze = Squeeze(lead=lead, room=100e-6, creep=4.1e-7, stiffness=6e10, friction=0.1, grip=grip)
     force = squeeze_force(
         ball_lead=lead,
-        room=room,
+        room=squeeze.room,
         pocket_friction=0.1,
-        pocket_stiffness=stiffness,
+        pocket_stiffness=6e10,
         creep_stiffness=29.1e3,
-        outer_radius=2 * 29.1e3 * 4.1e-7,
+        outer_radius=2 * 29.1e3 * squeeze.creep,
     )
-    around = np.cos(2 * np.pi * np.arange(9) / 9)
-    limits = sum(grip) / 2 + (grip[0] - grip[1]) / 2 * around
+    limits = sum(grip) / 2 + (grip[0] - grip[1]) / 2 * np.cos(2 * np.pi * np.arange(9) / 9)
     assert abs(squeeze.marched(3.0).mean() / np.minimum(force, limits).mean() - 1) < SQUEEZE_SPREAD
 
 

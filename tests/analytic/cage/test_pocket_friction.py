@@ -69,12 +69,6 @@ def test_smooth_surfaces_shear_the_oil_in_their_contact(scene: Scene) -> None:
     assert computed.source == "mixed lubrication"
 
 
-def test_constant_stress_depends_on_speed_by_its_molecules_alone(scene: Scene) -> None:
-    scene = replace(scene, lubricant=replace(THIN, traction="eyring_constant"))
-    computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
-    np.testing.assert_allclose(computed.coefficient, with_molecules(scene, THIN.eyring_stress), rtol=1e-9)
-
-
 def test_the_softer_body_determines_the_contact_area(scene: Scene) -> None:
     """A cage with 1/97 of the modulus: the area is proportional to the sum of both compliances to the power 2/3."""
     cage = scene.cage

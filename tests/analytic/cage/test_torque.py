@@ -8,7 +8,6 @@ import pytest
 
 from analytic import friction_torque
 from analytic.cage.pocket import friction_in_pocket
-from analytic.cage.statistics import measured_motion
 from analytic.cage.steady import DrivenCage
 from analytic.cage.torque import driven_cage
 from analytic.errors import InputError
@@ -129,18 +128,3 @@ def test_the_friction_of_a_resting_cage_is_that_of_its_share_of_the_weight() -> 
     # Tolerance: the digits of the speed
     np.testing.assert_allclose(present(resting.friction_coefficient.pocket), one.coefficient, rtol=1e-4)
     assert "thicker than their clearance" in one.warnings[0]
-
-
-def test_the_scene_sets_the_steps() -> None:
-    """An irregular motion forgets its beginning, so two numbers of steps give two results."""
-    motions = {}
-    for steps in (21, 57):
-        given = with_cage(replace(CAGED, effects={**CAGED.effects, "cage_dynamics": "on"}), steps_per_contact=steps)
-        cage = present(friction_torque(with_cage(given, start="sudden")).cage)
-        assert f"{steps} steps a contact" in cage.provenance
-        driven = present(cage.driven[1])
-        motions[steps] = cage.motion[1]
-        assert motions[steps] == measured_motion(
-            driven, start="sudden", seeds=2, duration=0.03, steps_per_contact=steps
-        )
-    assert motions[21] != motions[57]

@@ -15,7 +15,7 @@ from analytic.scene import (
     Scene,
 )
 from analytic.torque import friction_torque
-from tests.analytic.specimens import FINISH, OIL, balls_of
+from tests.analytic.specimens import balls_of
 
 MU = 0.083
 FREE = 0.23
@@ -161,25 +161,3 @@ def test_a_vanishing_radial_load_leaves_the_thrusts_torque(scene: Scene) -> None
     changes = [torque(scene, radial_load=radial) - thrust for radial in (0.0, 1.0, 2.0)]
     np.testing.assert_allclose(changes[0], 0, atol=1e-9 * thrust)  # the ring's iteration
     np.testing.assert_allclose(changes[2] / changes[1], 4, rtol=0.01)  # the next term, of fourth order
-
-
-@pytest.fixture(scope="module")
-def oiled(scene: Scene) -> Scene:
-    more = dict.fromkeys(("asperities", "inlet_heating", "starvation", "hysteresis", "rolling"), "on")
-    return replace(
-        scene, friction_coefficient=None, lubricant=OIL, surface=FINISH, hysteresis_loss=0.006, effects={**ALL, **more}
-    )
-
-
-def test_balls_without_load_add_nothing(oiled: Scene) -> None:
-    """One ball of nine carries the load in the clearance: the other balls add no torque but by rolling in oil."""
-    still: dict[str, Decision] = {"centrifugal": "off", "gyroscopic": "off", "unloaded_balls": "off"}
-    alone = replace(oiled, effects={**oiled.effects, **still})
-    aside = replace(alone, operation=operation(0.0, 30.0, 40.0))
-    found = friction_torque(aside)
-    for values in (found.torque.total, found.ball_load, found.film.inner, found.asperity_share.outer):
-        assert np.all(np.isfinite(np.asarray(values)))
-    np.testing.assert_allclose(found.ball_load, 30.0, rtol=1e-9)  # one ball holds it all
-    # The same ball at the same contact, in a bearing of three: azimuths 0 and beyond a right angle.
-    three = replace(aside, bearing=replace(aside.bearing, ball_count=3))
-    np.testing.assert_allclose(friction_torque(three).torque.total, found.torque.total, rtol=1e-8)

@@ -6,7 +6,6 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 
-from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
 from analytic.loads.pair import PairContacts, PairEquilibrium, pair_equilibrium
 from analytic.loads.ring import ring_equilibrium
@@ -120,18 +119,6 @@ def test_offset_and_preload_say_the_same() -> None:
     np.testing.assert_allclose(pair(loads(0.0), offset=known.offset).preload, 240.0, rtol=1e-6)
     np.testing.assert_allclose(known.axial_load, 240.0, rtol=1e-6)  # two ways to the load of one displacement
     np.testing.assert_allclose(known.displacement, 0.0, atol=1e-15)
-
-
-def test_corrected_contacts_take_their_part() -> None:
-    slender, stiffer = bearing(angle=0.26, shoulder=0.36), ContactFactors(approach=0.9)  # within the fit's range
-    given = PairContacts(inertia=STILL, correction=ContactCorrection(inner=stiffer, outer=stiffer))
-    hertz, fitted, factored = (
-        pair_equilibrium(slender, SOLVED, Arrangement(kind="O", preload=200.0), loads(0.0), contacts)
-        for contacts in (HERTZ, PairContacts(inertia=STILL), given)
-    )
-    assert 1.002 < fitted.stiffness[0] / hertz.stiffness[0] < 1.05  # the groove closes in on the ball
-    # An approach of 0.9 shortens the offset by as much, less what the contact angle opens less.
-    assert 0.9 < factored.offset / hertz.offset < 0.93
 
 
 def test_what_no_pair_can_be_is_refused() -> None:

@@ -71,21 +71,3 @@ def test_displacements_of_another_program() -> None:
         known = ~np.isnan(noted)
         # K of the standard is rounded to three digits (1.48), its third root to 1e-3 of the approach
         np.testing.assert_allclose(got[known], noted[known], rtol=2e-4)
-
-
-def test_axial_rigidity_of_a_makers_pair() -> None:
-    """A cross-check: the maker gives no groove radii; 0.517 to 0.518 ball diameters fit, 0.515 to 0.52 are usual."""
-    table = np.genfromtxt(PUBLISHED / "gmn_axial_rigidity.csv", delimiter=",", names=True, skip_header=2)
-    pair = {groove: axial_rigidity_of_pair(groove, table["preload_N"]) for groove in (0.517, 0.518)}
-    printed = table["axial_rigidity_of_pair_N_per_um"] * 1e6
-    rounding = 0.5e6  # of whole N/um
-    assert np.all(pair[0.518] < printed + rounding)
-    assert np.all(printed - rounding < pair[0.517])
-
-
-def axial_rigidity_of_pair(groove: float, preload: np.ndarray) -> np.ndarray:
-    """Two equal bearings set against each other, N/m: each is a spring of its tangent at the preload."""
-    ball = 7.938e-3
-    clearance = 2 * (2 * groove - 1) * ball * (1 - np.cos(np.radians(15)))
-    bearing = made(ball=ball, pitch=38.5e-3, count=13, grooves=(groove, groove), clearance=clearance)
-    return 2 * ring_equilibrium(bearing, SOLVED, axial_load=preload).stiffness[:, 0, 0]

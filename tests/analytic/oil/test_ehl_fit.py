@@ -189,16 +189,6 @@ def test_a_narrow_gap_has_the_far_field_of_a_contact_and_a_wide_one_the_area_of_
     assert least[0] == least[1] == least[2] > narrow[0]
 
 
-def test_the_reach_on_a_washer_is_that_of_a_flat_track() -> None:
-    """Whose balls touch the bottom of the groove: no angle narrows it."""
-    groove, width, reach = 1.043, 0.62, 0.9
-    washers = replace(with_groove(groove, width), kind="thrust")
-    direct = log_ratio(0.0, 1 - 1 / groove, width, reach)
-    for race in ("inner", "outer"):
-        found = effective_reach(washers, race, reach=reach, contact_angle=np.pi / 2)
-        assert np.log(found / (reach * washers.ball_radius)) == pytest.approx(direct, abs=0.02)  # as above
-
-
 def test_unknown_shoulders_are_as_high_as_a_fifth_of_the_ball() -> None:
     """A chord of 0.8 radii; a groove that is narrower on one side counts by the mean of both."""
     known, unknown = with_groove(1.043, 0.8), with_groove(1.043, 0.5)

@@ -135,20 +135,6 @@ def test_rolling_is_extrapolated_beyond_what_its_formula_knows(
     assert rolling_torque_of(numbers, oil_numbers(oil), inlet, lubrication, regime, 420.0)[1] == is_said
 
 
-def test_the_heat_of_the_inlets_counts_by_its_power() -> None:
-    """On the film of a smooth contact, and none at the power 0."""
-    plain = ALL | {"asperities": False, "starves": False}
-    films = {}
-    for power in (1e-9, 1.0, 2.0):
-        _, found = lubricated(BEARING_6205, 0, 2, WARM, FINISH, Variation(heating=power), **plain)
-        films[power] = found.mixed.film_thickness
-    _, cold = lubricated(BEARING_6205, 0, 2, WARM, FINISH, NOMINAL, **plain | {"heats": False})
-    assert films[1e-9] == pytest.approx(cold.mixed.film_thickness, rel=1e-9)
-    left = films[1.0] / films[1e-9]
-    assert left < 0.99
-    assert films[2.0] / films[1e-9] == pytest.approx(left**2, rel=1e-9)
-
-
 @pytest.mark.parametrize(("bore", "outside"), [(None, 52e-3), (25e-3, None), (None, None)])
 def test_a_given_degree_starves_rings_of_unknown_diameter(bore: float | None, outside: float | None) -> None:
     bearing = replace(BEARING_6205, bore_diameter=bore, outside_diameter=outside)

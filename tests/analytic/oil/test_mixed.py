@@ -95,18 +95,6 @@ def test_standstill_is_the_limit_of_slow_running() -> None:
     assert (wall.boundary_share, *oil_beside(wall)) == (1, 0, 0)
 
 
-def test_oil_shears_beside_the_asperities_alone() -> None:
-    found = mixed(rough(0.4e-6, 20e-6), entrainment_speed=np.array([1e-4, 1e-2, 1.0]))
-    area_fraction, h, (sheared, thickness) = found.area_fraction, found.film_thickness, oil_beside(found)
-    assert np.all(area_fraction > 0.05)
-    np.testing.assert_allclose(sheared, (1 - area_fraction) * (1 - np.exp(-h / 1e-9)), rtol=1e-12)
-    np.testing.assert_allclose(thickness * (1 - area_fraction), h, rtol=1e-14)  # the same volume
-    assert sheared[0] < 0.9 * sheared[-1]
-    full = mixed(rough(0.05e-6, 300e-6), load=3000.0, entrainment_speed=0.0)
-    assert full.area_fraction == 1
-    assert oil_beside(full) == (0, 0)
-
-
 @pytest.mark.parametrize("sq", [0.2e-6, 0.6e-6])
 def test_a_step_leads_to_the_measured_share(sq: float) -> None:
     """Of friction in a ball-on-disc rig, erfc(lambda/2); the power between is that of the ratio of both shares."""
@@ -131,19 +119,6 @@ def test_a_step_leads_to_the_measured_share(sq: float) -> None:
     np.testing.assert_array_equal(shares[-7.0].asperity_share, shares[-1.0].asperity_share)
     above = np.stack([found.asperity_share for found in shares.values()])[:, wanted > own.asperity_share]
     assert np.all(np.diff(above, axis=0) >= 0)  # with the step
-
-
-def test_both_laws_of_the_share_have_the_same_limits() -> None:
-    gap = rough(0.4e-6)
-    for step in (-1.0, 0.5, 1.0):
-        still = mixed(gap, entrainment_speed=0.0, share_step=step)
-        assert still.asperity_share == still.boundary_share == 1
-        slow = mixed(gap, entrainment_speed=1e-200, share_step=step)
-        np.testing.assert_allclose(slow.asperity_share, 1.0, rtol=1e-12)
-        # A film of 20 rms heights: what a power of the ratio leaves of a share below 1e-40.
-        assert mixed(gap, entrainment_speed=1e4, share_step=step).asperity_share < 1e-15
-        assert mixed(SMOOTH_GAP, entrainment_speed=0.3, share_step=step).asperity_share == 0
-        assert mixed(gap, load=0.0, share_step=step).asperity_share == 0
 
 
 def test_without_load_nothing_is_shared() -> None:

@@ -96,13 +96,6 @@ def test_the_number_of_threads_does_not_change_a_number() -> None:
             np.testing.assert_array_equal(values, other[name])
 
 
-def test_samples_are_added_until_the_ends_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("analytic.prediction.prediction.SAMPLES", 64)
-    found = predict(dry(**SPREADS), workers=1)
-    assert found.samples > 64
-    assert found.total.largest_error <= 0.03
-
-
 @pytest.mark.parametrize("angle", [ContactAngle(rule="given", value=0.02), ContactAngle(rule="solved", free=0.0)])
 def test_an_angle_near_0_has_its_default_spread_to_both_sides(angle: ContactAngle) -> None:
     """The standard deviation is 0.03 rad, so that many of the angles are below 0: they count by their size."""

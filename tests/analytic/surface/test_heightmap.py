@@ -1,7 +1,6 @@
 """Height maps: reading, refusals, and statistics of surfaces whose moments are known exactly."""
 
 import contextlib
-import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -175,29 +174,6 @@ def test_a_damaged_file_or_false_header_takes_no_memory(tmp_path: Path) -> None:
         short.write_bytes(whole[:cut] + b"\x00" + whole[cut + 1 :])
         with contextlib.suppress(InputError):  # no other exception; a changed letter may also do no harm
             read_height_map(short, spacing=SPACING)
-
-
-@pytest.mark.parametrize("per_number", [2, 7])
-def test_a_text_map_is_read_and_measured_within_four_times_its_size(tmp_path: Path, per_number: int) -> None:
-    """Numbers of 2 bytes, the shortest with their comma, take four times as much as the text; those of 7 bytes,
-    as in a map of 100 MB, little more than the text. Beside them some rows are in memory at a time.
-    """
-    file, size = tmp_path / "map.csv", 1200
-    digits = np.random.default_rng(9).integers(0, 10, (size, size))
-    with file.open("w") as lines:
-        lines.writelines(",".join(f"{digit}.1e-9"[: per_number - 1] for digit in row) + "\n" for row in digits)
-    if per_number == 2:  # metres: refused, once all of it was read
-        tracemalloc.start()
-        with pytest.raises(InputError, match="give them in m"):
-            read_height_map(file, spacing=SPACING)
-    else:
-        read_height_map(file, spacing=SPACING)  # what is imported on the way is not of the map
-        tracemalloc.start()
-        measure(read_height_map(file, spacing=SPACING))
-    peak = tracemalloc.get_traced_memory()[1]
-    tracemalloc.stop()
-    # 5 MB: a band of rows with its spectra, the same for the largest map; a third more while the matrix grows
-    assert peak < 4 * file.stat().st_size * (4 / 3 if per_number == 2 else 1) + 5e6
 
 
 def test_a_missing_file_and_a_folder_are_refused(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Autocorrelation, HeightMapFile, Surface
-from analytic.surface.heightmap import HeightMap, Measurement, levelled, measure
+from analytic.surface.heightmap import HeightMap, levelled
 from analytic.surface.moments import mccool_summits
 from analytic.surface.roughness import autocorrelation_at, gap_roughness, generated_surface, spectral_moments
 from tests.refusals import refused, refuses
@@ -26,11 +26,6 @@ SIGMAS = 4.0  # of the mean over the fixed seeds: a correct formula is outside w
 @pytest.fixture(scope="module")
 def smooth_maps() -> list[np.ndarray]:
     return [made(SMOOTH, seed) for seed in SEEDS]
-
-
-@pytest.fixture(scope="module")
-def smooth_measurements(smooth_maps: list[np.ndarray]) -> list[Measurement]:
-    return [measure(HeightMap(heights=heights, spacing=SMOOTH.spacing)) for heights in smooth_maps]
 
 
 def made(autocorrelation: Autocorrelation, seed: int) -> np.ndarray:
@@ -74,19 +69,6 @@ def test_exponential_moments_are_differences_at_the_spacing(spacing: float) -> N
         slope, curvature = (2 - 2 * one) / d**2, (6 - 8 * one + 2 * two) / d**4
     np.testing.assert_allclose(computed.slope, SQ**2 * float(slope), rtol=1e-13)  # round-off
     np.testing.assert_allclose(computed.curvature, SQ**2 * float(curvature), rtol=1e-13)
-
-
-def test_counted_summits_agree_with_mccool(smooth_measurements: list[Measurement]) -> None:
-    """Points above their neighbours against the closed form."""
-    expected = mccool_summits(spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH))
-    summits = [computed.summits for computed in smooth_measurements]
-    assert_mean([float(computed.density) for computed in summits], float(expected.density), systematic=0.01)
-    assert_mean(
-        [float(computed.height_deviation) for computed in summits], float(expected.height_deviation), systematic=0.02
-    )
-    assert_mean([float(computed.mean_height) for computed in summits], float(expected.mean_height), systematic=0.02)
-    # 1.6 % of m_4 is 0.8 % of its root. The points are next to the true summits, where the curvature is smaller.
-    assert_mean([float(computed.radius) for computed in summits], float(expected.radius), systematic=0.02)
 
 
 def test_a_generated_surface_has_the_declared_autocorrelation(smooth_maps: list[np.ndarray]) -> None:
