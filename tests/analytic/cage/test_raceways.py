@@ -10,7 +10,6 @@ from scipy.optimize import root
 from analytic.cage.raceways import (
     AZIMUTH,
     BALL,
-    CONTACT,
     LARGEST_TURN,
     LEAST_CREEP,
     SPEEDS,
@@ -21,17 +20,16 @@ from analytic.cage.raceways import (
     pressed_contacts,
     ring_raceways,
     step_ball,
-    thrust_raceways,
     traction,
 )
 from analytic.contact.geometry import RACES
 from analytic.errors import InputError
 from analytic.loads.ball_balance import grooves_of, settled_ball
 from analytic.loads.turning import Inertia
-from analytic.scene import Array, Operation, Scene
+from analytic.scene import Array, Operation
 from tests.analytic.cage.raceway_specimens import ANGLE, races_under, races_under_thrust
-from tests.analytic.cage.specimens import CAGED, W
-from tests.analytic.specimens import BEARING_6205, balls_of
+from tests.analytic.cage.specimens import W
+from tests.analytic.specimens import BEARING_6205
 from tests.refusals import refuses
 
 RADIUS, PITCH = BEARING_6205.ball_radius, BEARING_6205.pitch_diameter / 2
@@ -46,10 +44,6 @@ def carried(k: Array) -> Array:
 def at(*, load: float, moment: float = 0.0, axial: float = 1000.0) -> Operation:
     speed, thrust = np.array([W]), np.array([axial])
     return Operation(axial_load=thrust, inner_speed=speed, radial_load=load, moment=moment, tilt="free")
-
-
-def scene_at(operation: Operation) -> Scene:
-    return replace(CAGED, contact_angle=ANGLE, operation=operation, spin_rule="balanced")
 
 
 def balance(races: Raceways, speeds: Array, strips: int, *, azimuth: int = 0) -> tuple[Array, float]:
@@ -234,19 +228,6 @@ def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, momen
     np.testing.assert_allclose(races.alone.lead, lead, rtol=0.04)  # of the strips
     # A hollow contact rolls beside its centre, the farther the more load: that takes from the lead.
     assert 0.88 * rolling < abs(races.alone.lead) < rolling * 1.03
-
-
-def test_the_ring_without_radial_load_has_the_races_of_thrust() -> None:
-    operation = at(load=0.0)
-    balls = balls_of(scene_at(operation))[0]
-    thrust = thrust_raceways(BEARING_6205, balls, inner_speed=W, friction=(0.1, 0.07))
-    ring = ring_raceways(BEARING_6205, ANGLE, operation, friction=(0.1, 0.07))
-    # The ring divides the gyroscopic moment a little differently, by the balls' own angles.
-    for race in RACES:
-        for name in CONTACT.names or ():
-            np.testing.assert_allclose(ring.table[race][name], thrust.table[race][name][0], rtol=1e-5, atol=1e-12)
-    np.testing.assert_allclose(ring.alone.orbit_speed, thrust.alone.orbit_speed, rtol=1e-5)
-    np.testing.assert_allclose(ring.alone.slip_power.mean(), thrust.alone.slip_power[0], rtol=1e-4)
 
 
 def test_impossible_races_are_refused() -> None:

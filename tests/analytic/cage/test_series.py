@@ -4,12 +4,10 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import pytest
 import xarray
 
 from analytic.cage.motion import CageMotion
 from analytic.cage.series import recorded_motion
-from analytic.errors import InputError
 from tests.analytic.cage.raceway_specimens import cage_on, races_under_thrust
 from tests.analytic.cage.specimens import CAGE
 
@@ -63,11 +61,6 @@ def test_the_file_has_series_and_units(tmp_path: Path) -> None:
     falling = read["velocity"].sel(direction="y")  # free fall from the middle, before the first contact
     np.testing.assert_allclose(falling, -9.80665 * read["time"], rtol=1e-6)
     assert float(abs(read["velocity"].sel(direction="x")).max()) < 1e-12
-
-
-def test_a_series_needs_a_positive_duration() -> None:
-    with pytest.raises(InputError, match="duration must be positive"):
-        recorded_motion(CageMotion(SEVEN, begin="rest"), duration=-1.0, samples=3)
 
 
 def test_free_balls_are_recorded_with_their_own_places() -> None:

@@ -10,11 +10,10 @@ import pytest
 from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactFactors, FactorNumbers, corrected, factor_fields
-from analytic.contact.finite_geometry import contact_shape, finite_geometry_factors, race_shape
+from analytic.contact.finite_geometry import contact_shape, finite_geometry_factors
 from analytic.contact.finite_geometry_fit import SMALL, ContactShape, stored_fit
-from analytic.contact.geometry import race_contact
 from analytic.contact.hertz import loaded_hertz, unit_hertz
-from analytic.scene import Bearing, Contact, Material
+from analytic.scene import Contact, Material
 
 NAMES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
 SHAPE = ContactShape(
@@ -74,15 +73,6 @@ def test_only_ratios_matter(contacts: dict[str, Contact]) -> None:
     assert one.ball_share == pytest.approx(0.5, rel=1e-12)
     assert one.conformity == pytest.approx(4.13 / 7.94, rel=1e-12)
     assert one.rolling_curvature == pytest.approx(3.97 / 16.47, rel=1e-12)
-
-
-@pytest.mark.parametrize("race", ["inner", "outer"])
-def test_a_race_at_an_angle_is_its_contact(bearing_6205: Bearing, race: Any) -> None:
-    angles, loads = np.array([0.12, 0.31]), np.array([140.0, 530.0])
-    many = race_shape(bearing_6205, race, contact_angle=angles, ball_load=loads)
-    for number, (angle, load) in enumerate(zip(angles, loads, strict=True)):
-        one = contact_shape(race_contact(bearing_6205, race, contact_angle=float(angle), ball_load=float(load)))
-        np.testing.assert_allclose([ratio[number] for ratio in many], one, rtol=1e-12)  # round-off
 
 
 @pytest.mark.parametrize(

@@ -10,9 +10,8 @@ from scipy.optimize import minimize
 
 from analytic.errors import ConvergenceError
 from analytic.free_ball import kernel, strips, turning
-from analytic.free_ball.rotation import Nodes, _write_nodes, free_quadratures
+from analytic.free_ball.rotation import Nodes, _write_nodes
 from analytic.free_ball.state import QUADRATURE, contact_states, scratch
-from analytic.loads.kinematics import ball_kinematics, ball_motion
 from analytic.loads.state import ball_states
 from analytic.numerics.records import Record, as_record
 from analytic.oil.law_table import law_address
@@ -120,42 +119,6 @@ def test_a_slow_ball_without_creep_loses_the_least_power(bearing: tuple, load: f
     least = minimize(power, np.array([3.0, -2.0, 2.5, -1.5]), jac=True, method="BFGS")
     # The bodies of production are flat to the square of the contact's width over its radius, 1e-2 of small terms.
     assert 1e3 * free.torque == pytest.approx(least.fun, rel=2e-3)
-
-
-@pytest.mark.parametrize(
-    ("load", "speed", "friction"), [(100.0, 1500.0, 0.05), (50.0, 628.3, 0.1), (50.0, 628.3, 0.02)]
-)
-def test_a_fast_ball_obeys_the_closed_kinematics_at_its_own_pitch(load: float, speed: float, friction: float) -> None:
-    """It nearly obeys those of outer control too where one race presses far harder."""
-    bearing, free = STEEP
-    balls = under_thrust(bearing, free, load=load, speed=speed, friction=friction)
-    inner, outer = (float(angle) for angle in balls.angle)
-    radius = balls.motion["inner_radius"] + bearing.ball_radius * np.cos(balls.angle[0])
-    sizes = 2 * float(radius), bearing.ball_diameter
-    own = ball_motion(1.0, inner, outer, float(balls.motion["pitch"]), *sizes)
-    for name in ("cage_speed", "inner_entrainment", "outer_entrainment", "inner_rolling_rate", "outer_rolling_rate"):
-        np.testing.assert_allclose(balls.motion[name], getattr(own, name), rtol=3e-3)  # what slip leaves
-    if load == 50.0 and friction == 0.1:
-        ruled = ball_kinematics(1.0, inner, outer, *sizes)
-        np.testing.assert_allclose(balls.motion["cage_speed"], ruled.cage_speed, rtol=3e-3)
-
-
-def test_any_start_leads_to_one_rotation() -> None:
-    _, balls, contacts, work, _ = under_thrust(*STEEP, load=500.0, speed=628.3, friction=0.1).work
-    random = np.random.default_rng(8)
-    ball, nodes = as_record(balls[0]), as_record(free_quadratures()[1])
-
-    def settled() -> Array:
-        for _ in range(12):  # each takes the speed of the surfaces through the contacts from the last
-            kernel.turn_ball(contacts[0], ball, nodes, 1e-10, work)
-        return ball.velocity.copy()
-
-    found = settled()
-    for _ in range(6):
-        pitch, across = random.uniform(-0.3, 1.3), random.uniform(-0.3, 0.3)
-        speed = float(np.linalg.norm(found[1:]))
-        ball.velocity = found[0], across * speed, speed * np.sin(pitch), -speed * np.cos(pitch)
-        np.testing.assert_allclose(settled(), found, rtol=1e-6, atol=1e-6 * speed)  # of a residual of 1e-10
 
 
 def test_a_ball_without_a_steady_rotation_is_named() -> None:

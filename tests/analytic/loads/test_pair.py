@@ -143,16 +143,3 @@ def test_a_load_that_no_groove_bears_is_named() -> None:
             loads(11.0, radial=9e6),
             PairContacts(inertia=STILL, finite_geometry=True),
         )
-
-
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        ({"kind": "tandem", "preload": 5.0}, "arrangement.preload does not go with kind = .tandem."),
-        ({"kind": "O"}, "needs one of preload and offset"),
-        ({"kind": "X", "preload": 5.0, "offset": 1e-6}, "offset and preload both give"),
-    ],
-)
-def test_an_arrangement_has_one_preload(given: dict[str, Any], words: str) -> None:
-    with pytest.raises(InputError, match=words):
-        Arrangement(**given)

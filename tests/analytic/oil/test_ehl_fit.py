@@ -187,16 +187,3 @@ def test_a_narrow_gap_has_the_far_field_of_a_contact_and_a_wide_one_the_area_of_
     assert wide == pytest.approx(slope / 2 * ahead**2 / (7.5 * 2e3 * radius**2), rel=1e-4)  # half of its argument
     least = [gap_force(shear, radius, ellipticity, gap * radius, ahead) for gap in (1e-4, 0.9e-4, 0.0)]
     assert least[0] == least[1] == least[2] > narrow[0]
-
-
-def test_unknown_shoulders_are_as_high_as_a_fifth_of_the_ball() -> None:
-    """A chord of 0.8 radii; a groove that is narrower on one side counts by the mean of both."""
-    known, unknown = with_groove(1.043, 0.8), with_groove(1.043, 0.5)
-    half = known.ball_radius
-    bare, one, uneven = (
-        replace(unknown, inner=replace(unknown.inner, shoulder_half_width=near, far_shoulder_half_width=far))
-        for near, far in ((None, None), (None, 0.3 * half), (0.9 * half, 0.7 * half))
-    )
-    reaches = [effective_reach(each, "inner", reach=0.9, contact_angle=0.2) for each in (known, bare, one, uneven)]
-    np.testing.assert_allclose(reaches, reaches[0], rtol=1e-12)
-    assert effective_reach(unknown, "inner", reach=0.9, contact_angle=0.2) < 0.99 * reaches[0]

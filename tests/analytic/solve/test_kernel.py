@@ -333,19 +333,6 @@ def test_a_cage_at_rest_on_its_balls_is_that_beside_the_kernel(coefficient: floa
         assert np.isnan(found["cage"]) == np.isnan(found["total"]) == is_squeezed
 
 
-def test_unknown_shoulders_lie_outside_the_fit_for_finite_geometry() -> None:
-    """Beside known ones contacts are corrected; the far end of what is not known is another torque."""
-    scene = scene_of(axial_load=570.0, inner_speed=93.0)
-    point = found_at(scene, {**ROLLING, "finite_geometry": True}).points[0]
-    assert (bool(point["beyond_fit"]), bool(point["fit_applied"])) == (False, True)
-    open_ = replace(BEARING_6205, inner=replace(BEARING_6205.inner, shoulder_half_width=None))
-    unknown = found_at(replace(scene, bearing=open_), {**ROLLING, "finite_geometry": True}).points[0]
-    assert bool(unknown["beyond_fit"])
-    plain = found_at(scene, ROLLING).points[0]
-    assert (bool(plain["beyond_fit"]), bool(plain["fit_applied"])) == (False, False)
-    assert plain["total"] != point["total"]
-
-
 def test_loads_of_no_thrust_are_told_apart(bearing_6205: Bearing) -> None:
     cases: tuple[tuple[dict[str, Any], dict[str, bool], int], ...] = (
         ({"axial_load": 0.0}, {}, NO_THRUST),

@@ -168,9 +168,3 @@ def test_nonsense_is_refused() -> None:
     refused(lambda: made_of(spacing=2.2e-6), "spacing 2.2 um")
     refused(lambda: made_of(points=99), "100 points")
     refused(lambda: made_of(length=51e-6), "240 points")
-
-
-def test_the_smallest_surface_is_accepted() -> None:
-    assert generated_surface(rms_roughness=SQ, autocorrelation=SMOOTH, points=100, seed=3).heights.shape == (100, 100)
-    with pytest.raises(InputError, match="rms_roughness must be at least 0"):
-        generated_surface(rms_roughness=-SQ, autocorrelation=SMOOTH, points=100, seed=3)
