@@ -87,7 +87,6 @@ def test_alone_the_parts_of_the_interval_are_those_of_their_inputs(predicted: Pr
     assert predicted.made_of["input"][0, 0] < low < nominal < high < predicted.made_of["input"][1, 0]
 
 
-@pytest.mark.slow
 def test_the_number_of_threads_does_not_change_a_number() -> None:
     scene = dry(**SPREADS)
     alone, together = (predict(scene, samples=60, seed=9, workers=workers) for workers in (1, 2))
@@ -121,6 +120,13 @@ def test_too_few_samples_are_refused_with_the_least_number() -> None:
         predict(dry(**SPREADS), samples=39, workers=1)
     with pytest.raises(InputError, match="workers = 0: give a whole number from 1"):
         predict(dry(**SPREADS), workers=0)
+
+
+def test_a_hundredth_of_the_samples_may_have_no_torque() -> None:
+    """Of contact angles with a deviation of 0.6 rad many lie beyond a shoulder."""
+    wild = replace(analytic.load_scene("6205-dry"), uncertainty={"bearing.contact_angle.free": 0.6})
+    with pytest.raises(InputError, match=r"of 64 samples have no torque, limit 1 %"):
+        predict(wild, samples=64, workers=1)
 
 
 def test_the_scene_with_the_values_that_it_has_is_the_same() -> None:
