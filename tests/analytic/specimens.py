@@ -23,6 +23,7 @@ from analytic.scene import (
     Decision,
     Groove,
     Lubricant,
+    Material,
     Operation,
     Scene,
     Surface,
@@ -67,6 +68,37 @@ Value = TypeVar("Value")
 DRY_PARTS = ("spin", "conformity", "hysteresis")  # of the torque without oil
 # The closed forms of textbooks at any tolerance
 AS_HERTZ: dict[str, Decision] = {"finite_geometry": "off", "spin": "on"}
+
+
+def made(
+    *,
+    ball: float,
+    pitch: float,
+    count: int,
+    grooves: tuple[float, float],
+    clearance: float,
+    shoulder: float | None = 0.4,
+    material: Material = STEEL,
+) -> Bearing:
+    """A bearing from its ball and pitch diameter, m; radii of the grooves and shoulders over the ball's diameter."""
+    inner, outer = (
+        Groove(
+            bottom_radius=pitch / 2 + side * (ball / 2 + clearance / 4),
+            groove_radius=groove * ball,
+            shoulder_half_width=None if shoulder is None else shoulder * ball,
+            material=material,
+        )
+        for side, groove in zip((-1, 1), grooves, strict=True)
+    )
+    return Bearing(
+        name="made",
+        ball_count=count,
+        ball_diameter=ball,
+        ball_mass=material.density * np.pi / 6 * ball**3,
+        ball_material=material,
+        inner=inner,
+        outer=outer,
+    )
 
 
 def rolling_contact(**changed: Any) -> ContactNumbers:
@@ -143,8 +175,6 @@ def without(scene: Scene, *names: str) -> Scene:
 def dry(bearing: Bearing) -> Scene:
     """1000 N, a given contact angle of 0.18 rad, mu = 0.1, alpha' = 0.007."""
     return Scene(
-        name="test",
-        tolerance=0.05,
         bearing=bearing,
         contact_angle=ContactAngle(rule="given", value=0.18),
         operation=thrust(1000.0),

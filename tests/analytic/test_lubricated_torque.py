@@ -32,7 +32,6 @@ CLOSED = replace(OIL, film_formula="nijenbanning", rolling_formula="biboulet", c
 @pytest.fixture(scope="module")
 def scene(bearing_6205: Bearing) -> Scene:
     return Scene(
-        name="oiled",
         tolerance=1e-5,  # the finest nodes at every point
         bearing=bearing_6205,
         contact_angle=ContactAngle(rule="solved", free=0.18),
@@ -126,8 +125,6 @@ def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:
     for viscosity, expected in ((0.0275, [4.02, 9.18, 13.48]), (0.0585, [7.09, 16.20, 23.81])):
         found = friction_torque(
             Scene(
-                name="rolling",
-                tolerance=0.05,
                 bearing=bearing_6205,
                 contact_angle=ContactAngle(rule="given", value=0.18),
                 operation=Operation(axial_load=np.full(3, 1000.0), inner_speed=speeds),

@@ -22,8 +22,6 @@ PLAIN = {"finite_geometry": "off", "load_distribution": "off", "centrifugal": "o
 def scene(load: Any, speed: float = 37.0, **given: Any) -> Scene:
     loads = np.array(load, ndmin=1)
     known: dict[str, Any] = {
-        "name": "limits",
-        "tolerance": 0.05,
         "bearing": BEARING_6205,
         "contact_angle": ContactAngle(rule="given", value=ANGLE),
         "operation": Operation(axial_load=loads, inner_speed=np.full(loads.shape, speed)),

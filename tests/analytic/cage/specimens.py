@@ -30,8 +30,6 @@ CAGE = DrivenCage(
 WEIGHTLESS = (0.0, 0.0, 0.0)  # gravity
 TABLE_1: dict[str, Any] = {"half_clearance": 2.98e-3, "centre_offset": 0.14e-3}  # the paper's pocket
 CAGED = Scene(  # at 20 and 500 rpm
-    name="test",
-    tolerance=0.05,
     bearing=BEARING_6205,
     contact_angle=ContactAngle(rule="given", value=0.18),
     operation=Operation(axial_load=np.array([1000.0, 1000.0]), inner_speed=np.array([20.0, 500.0]) * RPM),

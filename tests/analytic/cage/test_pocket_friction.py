@@ -21,8 +21,6 @@ THIN = replace(OIL, viscosity=0.0043, pressure_viscosity=0.0, eyring_stress=63e6
 @pytest.fixture
 def scene(bearing_6205: Bearing) -> Scene:
     return Scene(
-        name="wide pocket",
-        tolerance=0.05,
         bearing=bearing_6205,
         contact_angle=ContactAngle(rule="given", value=0.18),
         operation=Operation(axial_load=np.array([900.0]), inner_speed=np.array([31.0])),

@@ -15,7 +15,6 @@ from tests.analytic.specimens import FINISH, OIL, balls_of, present
 @pytest.fixture(scope="module")
 def scene(bearing_6205: Bearing) -> Scene:
     return Scene(
-        name="free",
         tolerance=0.01,
         bearing=bearing_6205,
         contact_angle=ContactAngle(rule="solved", free=0.31),

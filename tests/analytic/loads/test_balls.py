@@ -40,7 +40,6 @@ def operation(axial: float, radial: float, speed: float, moment: float = 0.0) ->
 @pytest.fixture(scope="module")
 def scene(bearing_6205: Bearing) -> Scene:
     return Scene(
-        name="unequal",
         tolerance=1e-5,  # the finest nodes at every point
         spin_rule="balanced",
         bearing=bearing_6205,

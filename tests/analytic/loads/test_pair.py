@@ -10,8 +10,8 @@ from analytic.errors import InputError
 from analytic.loads.pair import PairContacts, PairEquilibrium, pair_equilibrium
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.turning import Inertia
-from analytic.scene import Arrangement, Bearing, ContactAngle, Groove, Operation
-from tests.contacts import STEEL
+from analytic.scene import Arrangement, Bearing, ContactAngle, Operation
+from tests.analytic.specimens import made
 from tests.refusals import refused
 
 SOLVED = ContactAngle(rule="solved")
@@ -20,30 +20,12 @@ HERTZ = PairContacts(inertia=STILL, finite_geometry=False)
 STATICS = 1e-9  # of the loads: a thousand times the tolerance of the equilibrium
 
 
-def bearing(angle: float = 0.7, conformity: float = 0.52, *, shoulder: float = 0.5, **changed: Any) -> Bearing:
-    """Thirteen balls of 7.938 mm at this free contact angle; shoulder : half-width over the ball's diameter."""
-    ball, pitch = 7.938e-3, 39.1e-3
+def bearing(angle: float = 0.7, conformity: float = 0.52, **changed: Any) -> Bearing:
+    """Thirteen balls of 7.938 mm at this free contact angle."""
+    ball, grooves = 7.938e-3, (conformity, conformity)
     clearance = 2 * (2 * conformity - 1) * ball * (1 - np.cos(angle))
-    inner, outer = (
-        Groove(
-            bottom_radius=pitch / 2 + side * (ball / 2 + clearance / 4),
-            groove_radius=conformity * ball,
-            shoulder_half_width=shoulder * ball,
-            material=STEEL,
-        )
-        for side in (-1, 1)
-    )
-    known = Bearing(
-        name="made",
-        ball_count=13,
-        ball_diameter=ball,
-        ball_mass=2.06e-3,
-        ball_material=STEEL,
-        inner=inner,
-        outer=outer,
-        width=15e-3,
-    )
-    return replace(known, **changed)
+    known = made(ball=ball, pitch=39.1e-3, count=13, grooves=grooves, clearance=clearance, shoulder=0.5)
+    return replace(known, **{"width": 15e-3, **changed})
 
 
 def loads(axial: Any, *, radial: float = 0.0, moment: float = 0.0, speed: float = 0.0) -> Operation:

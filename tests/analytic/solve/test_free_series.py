@@ -19,7 +19,6 @@ LEVEL = 1  # of the nodes at all points that are compared
 def scene_of(bearing: Bearing, **operation: Array) -> Scene:
     """A dry scene with creep; what counts is not left to the points."""
     return Scene(
-        name="series",
         tolerance=0.01,
         bearing=bearing,
         contact_angle=ContactAngle(rule="solved", free=0.31),

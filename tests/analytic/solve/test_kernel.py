@@ -30,7 +30,6 @@ UNEQUAL: dict[str, Any] = {"axial_load": 640.0, "radial_load": 170.0, "moment": 
 def scene_of(bearing: Bearing = BEARING_6205, *, angle: ContactAngle = STEEP, **operation: Any) -> Scene:
     """A bearing with a coefficient of 0.07 and oil."""
     return Scene(
-        name="kernel",
         bearing=bearing,
         contact_angle=angle,
         operation=Operation(**operation).as_series(),
