@@ -1,8 +1,5 @@
 """The races as free balls feel them: creep against a marched strip, derivatives against equilibria, balls alone."""
 
-from dataclasses import replace
-from functools import partial
-
 import numpy as np
 import pytest
 from scipy.optimize import root
@@ -27,10 +24,9 @@ from analytic.errors import InputError
 from analytic.loads.ball_balance import grooves_of, settled_ball
 from analytic.loads.turning import Inertia
 from analytic.scene import Array, Operation
-from tests.analytic.cage.raceway_specimens import ANGLE, races_under, races_under_thrust
+from tests.analytic.cage.raceway_specimens import ANGLE, races_under
 from tests.analytic.cage.specimens import W
 from tests.analytic.specimens import BEARING_6205
-from tests.refusals import refuses
 
 RADIUS, PITCH = BEARING_6205.ball_radius, BEARING_6205.pitch_diameter / 2
 STANDING = Inertia(centrifugal=False, gyroscopic=False)
@@ -228,12 +224,6 @@ def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, momen
     np.testing.assert_allclose(races.alone.lead, lead, rtol=0.04)  # of the strips
     # A hollow contact rolls beside its centre, the farther the more load: that takes from the lead.
     assert 0.88 * rolling < abs(races.alone.lead) < rolling * 1.03
-
-
-def test_impossible_races_are_refused() -> None:
-    for friction in ((0.0, 0.0), (-0.1, 0.1)):
-        refuses(partial(replace, races_under_thrust()), friction=friction)
-    refuses(partial(replace, races_under_thrust()), inner_speed=np.nan)
 
 
 def test_a_ball_without_any_load_is_refused() -> None:

@@ -8,7 +8,6 @@ from hypothesis import given
 from scipy.integrate import dblquad
 
 from analytic.contact.subsurface import AxisStress, SubsurfaceMaximum, axis_stress, subsurface_maximum
-from tests.refusals import refused, refuses
 
 P0, A, B, NU = 2.31e9, 0.121e-3, 0.87e-3, 0.27  # Pa, m, m
 FIELDS = ("sigma_x", "sigma_y", "sigma_z")
@@ -127,9 +126,3 @@ def test_low_poisson_ratio_brings_the_maximum_under_a_line_to_the_surface() -> N
     np.testing.assert_allclose(low.max_shear_depth / A, z[np.argmax(shear)], atol=2e-5)  # the step
     assert low.max_shear_depth < 0.2 * A < 0.7 * A < high.max_shear_depth
     assert maximum(semi_axis_y=1e9 * A, poisson_ratio=-0.2).max_shear_depth == 0  # only the surface is left
-
-
-def test_nonsense_is_refused() -> None:
-    refuses(maximum, peak_pressure=-2.0, semi_axis_x=0.0, semi_axis_y=np.inf, poisson_ratio=0.51)
-    refuses(maximum, poisson_ratio=np.nan)
-    refused(lambda: maximum(peak_pressure=np.ones(3), semi_axis_x=np.ones(2)), "equal lengths")  # pyright: ignore

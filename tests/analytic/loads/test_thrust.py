@@ -209,10 +209,3 @@ def test_balls_at_speed_are_those_of_the_ring(
         # The ring stops at 1e-11 of its forces, some of which are hundreds of the light ball's.
         np.testing.assert_allclose(balls[name], ring.balls[name][:, 4], rtol=1e-8)
     np.testing.assert_allclose(approaches(balls), approaches(ring.balls)[:, 4], rtol=1e-8)
-
-
-def test_loads_without_a_balance_are_refused(bearing_6205: Bearing) -> None:
-    with pytest.raises(InputError, match="inner_speed"):
-        thrust_equilibrium(bearing_6205, SOLVED, axial_load=5.0, inner_speed=np.nan)
-    with pytest.raises(InputError, match="axial_load"):
-        thrust_equilibrium(bearing_6205, SOLVED, axial_load=-5.0, inner_speed=100.0)

@@ -1,7 +1,6 @@
 """Rough contact against its defining integrals in 40 digits, and Greenwood and Williamson's limit."""
 
-from dataclasses import replace
-from functools import cache, partial
+from functools import cache
 
 import mpmath
 import numpy as np
@@ -13,7 +12,6 @@ from analytic.errors import InputError
 from analytic.scene import Material, Surface
 from analytic.surface.asperity import AsperityContact, asperity_contact, asperity_load, softer_hardness
 from analytic.surface.moments import Summits
-from tests.refusals import refused, refuses
 from tests.validation.hard.lubrication_exact import log_over_summits, summit
 
 SUMMITS = Summits(density=5e8, radius=50e-6, height_deviation=0.8e-6, mean_height=1.3e-6)
@@ -135,12 +133,3 @@ def test_the_softer_body_yields() -> None:
         softer_hardness(Surface(), hard, unknown)
     with pytest.raises(InputError, match=r"surface.hardness must be positive"):
         softer_hardness(Surface(hardness=-6e9), hard, soft)
-
-
-def test_nonsense_is_refused() -> None:
-    refused(lambda: contact(np.nan, SUMMITS), "film_thickness")
-    refuses(partial(contact, 1e-6, SUMMITS), modulus=0.0, hardness=-1.0)
-    refuses(partial(contact, 1e-6, SUMMITS), hardness=np.inf)
-    refused(lambda: contact(np.ones(3), SUMMITS, modulus=np.ones(2)), "equal lengths")
-    for wrong in ({"density": -5e8}, {"radius": 0.0}):
-        refused(lambda: contact(1e-6, replace(SUMMITS, **wrong)), *wrong)  # noqa: B023

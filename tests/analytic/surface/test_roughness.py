@@ -3,7 +3,6 @@
 import re
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import mpmath
 import numpy as np
@@ -14,7 +13,6 @@ from analytic.scene import Autocorrelation, HeightMapFile, Surface
 from analytic.surface.heightmap import HeightMap, levelled
 from analytic.surface.moments import mccool_summits
 from analytic.surface.roughness import autocorrelation_at, gap_roughness, generated_surface, spectral_moments
-from tests.refusals import refused, refuses
 
 SQ = 0.37e-6  # m
 SMOOTH = Autocorrelation(kind="gaussian", length=21e-6, spacing=2.1e-6)
@@ -157,14 +155,3 @@ def test_a_surface_too_steep_for_shallow_asperities_is_refused() -> None:
     message = r"surface\.rms_roughness = 10\.6 um.*rms slope of 1\.01.*at most 10\.5 um.*longer"
     with pytest.raises(InputError, match=message):
         gap_roughness(Surface(rms_roughness=10.6e-6, autocorrelation=SMOOTH))
-
-
-def test_nonsense_is_refused() -> None:
-    def made_of(points: int = POINTS, **changed: Any) -> object:
-        of_surface = replace(SMOOTH, **changed)
-        return generated_surface(rms_roughness=SQ, autocorrelation=of_surface, points=points, seed=3)
-
-    refuses(made_of, length=0.0, spacing=np.nan, kind="fractal", points=4097)
-    refused(lambda: made_of(spacing=2.2e-6), "spacing 2.2 um")
-    refused(lambda: made_of(points=99), "100 points")
-    refused(lambda: made_of(length=51e-6), "240 points")
