@@ -119,29 +119,6 @@ def test_what_does_not_fit_together_is_refused(scene: Scene) -> None:
         refused(lambda: friction_torque(replace(scene, **change)), word)  # noqa: B023
 
 
-def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:
-    """Of an independent calculation, N mm at three digits: 1000 N at 0.18 rad, two oils, 100, 300 and 500 rpm."""
-    speeds = np.array([100.0, 300.0, 500.0]) * np.pi / 30
-    for viscosity, expected in ((0.0275, [4.02, 9.18, 13.48]), (0.0585, [7.09, 16.20, 23.81])):
-        found = friction_torque(
-            Scene(
-                bearing=bearing_6205,
-                contact_angle=ContactAngle(rule="given", value=0.18),
-                operation=Operation(axial_load=np.full(3, 1000.0), inner_speed=speeds),
-                lubricant=replace(CLOSED, viscosity=viscosity),
-                friction_coefficient=0.05,
-                spin_rule="balanced",  # as that calculation: balls that roll on their contacts' middles
-                effects={"hysteresis": "off", "inlet_heating": "off", "starvation": "off"},
-            )
-        )
-        assert found.torque.rolling is not None
-        np.testing.assert_allclose(1e3 * found.torque.rolling, expected, atol=0.006)
-        summed = present(found.torque.spin) + present(found.torque.conformity) + found.torque.rolling
-        np.testing.assert_allclose(found.torque.total, summed, rtol=1e-15)
-        effect = {effect.name: effect for effect in found.effects}["rolling"]
-        assert (effect.decision, effect.share) == ("on", np.max(found.torque.rolling / found.torque.total))
-
-
 def test_oil_that_ends_next_to_the_contact_is_said_to_be_extrapolated(scene: Scene) -> None:
     """0.06 of the ball's radius is some two semi-axes; the usual reach is tens of them."""
     short = replace(present(scene.lubricant), reach=Reach(ahead=0.06))

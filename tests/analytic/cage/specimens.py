@@ -28,7 +28,6 @@ CAGE = DrivenCage(
     ring_speed=W,
 )
 WEIGHTLESS = (0.0, 0.0, 0.0)  # gravity
-TABLE_1: dict[str, Any] = {"half_clearance": 2.98e-3, "centre_offset": 0.14e-3}  # the paper's pocket
 CAGED = Scene(  # at 20 and 500 rpm
     bearing=BEARING_6205,
     contact_angle=ContactAngle(rule="given", value=0.18),

@@ -12,7 +12,6 @@ from analytic.contact.subsurface import AxisStress, SubsurfaceMaximum, axis_stre
 P0, A, B, NU = 2.31e9, 0.121e-3, 0.87e-3, 0.27  # Pa, m, m
 FIELDS = ("sigma_x", "sigma_y", "sigma_z")
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
-DEPTHS = np.array([0.0, 1.3e-6, 0.031e-3, 0.093e-3, 0.41e-3, 2.9e-3, 71e-3])
 
 
 def stress(depth: float | np.ndarray, **changed: float | np.ndarray) -> AxisStress:
@@ -67,17 +66,6 @@ def test_stresses_are_the_sum_of_point_loads(depth: float, a: float, b: float, r
     summed = integrated(depth, a=a, b=b, ratio=ratio)
     for name, expected in zip(FIELDS, summed, strict=True):
         np.testing.assert_allclose(getattr(found, name) / P0, expected, atol=1e-8)  # ten times the quadrature's
-
-
-def test_the_circle_is_huber() -> None:
-    """[Huber1904]; in text books, such as [Johnson1985] section 3.4."""
-    a, z = A, DEPTHS
-    found = stress(z, semi_axis_y=A)
-    angle = np.arctan2(a, z)
-    radial = -(1 + NU) * (1 - z / a * angle) + a**2 / (2 * (a**2 + z**2))
-    np.testing.assert_allclose(found.sigma_x / P0, radial, atol=ROUND_OFF)
-    np.testing.assert_array_equal(found.sigma_x, found.sigma_y)
-    np.testing.assert_allclose(found.sigma_z, -P0 / (1 + (z / a) ** 2), rtol=ROUND_OFF)
 
 
 def test_stresses_keep_their_digits() -> None:

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
 from analytic.loads.ring import RingEquilibrium, ring_equilibrium
 from analytic.loads.state import approaches
@@ -87,17 +86,6 @@ def test_pure_thrust_is_the_closed_form(bearing_6205: Bearing, clearance: float)
     np.testing.assert_allclose(
         mirrored.balls["angle"][..., 0], -ring.balls["angle"][..., 0], rtol=1e-12
     )  # the same steps
-
-
-def test_a_free_angle_replaces_the_clearance_and_corrections_reach_the_contacts(bearing_6205: Bearing) -> None:
-    factors = ContactFactors(approach=0.93, semi_axis_rolling=1.04, semi_axis_transverse=0.98)
-    correction = ContactCorrection(inner=factors)
-    given_angle = ContactAngle(rule="solved", free=0.18)
-    ring = ring_equilibrium(bearing_6205, given_angle, axial_load=700.0, correction=correction)
-    thrust = thrust_equilibrium(bearing_6205, given_angle, axial_load=700.0, correction=correction)
-    np.testing.assert_allclose(ring.balls["load"][..., 0], np.full(9, thrust["load"][0]), rtol=1e-10)  # TOLERANCE
-    of_ring, alike = (loaded_contacts(balls)[0].semi_axis_x for balls in (ring.balls, thrust))
-    np.testing.assert_allclose(of_ring, np.full(9, alike), rtol=1e-10)
 
 
 @pytest.mark.parametrize(("clearance", "count"), [(20e-6, 9), (-14e-6, 7), (3e-6, 4)])

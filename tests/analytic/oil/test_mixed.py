@@ -252,38 +252,3 @@ def test_the_root_of_the_printed_equations_in_40_digits(sq: float, changed: dict
     # The splines' error in the gap is that of the film, which grows at least as (1 - s)^-1/2; round-off of 1 - s.
     if remaining < 0.5:
         np.testing.assert_allclose(1 - found.asperity_share, remaining, rtol=2 * ACCURACY, atol=1e-15)
-
-
-RING_SPEED = np.array([0.1, 10.471976, 52.359878])  # rad/s, of the inner ring: 1, 100 and 500 rpm
-# s and mean gap, um, at each speed: by another program, which solves in the logarithm of s/(1 - s) with Gauss panels
-# and in the separation with an adaptive quadrature, to 6e-12 of each other.
-PRINTED: dict[tuple[AsperityLaw, float, float], list[tuple[float, float]]] = {
-    ("zhao_maietta_chang", 0.1, 20): [(0.34195, 0.0017031), (0.11518, 0.047774), (0.030084, 0.15699)],
-    ("zhao_maietta_chang", 0.4, 60): [(0.55616, 0.0018906), (0.28720, 0.048126), (0.17307, 0.15732)],
-    ("zhao_maietta_chang", 1, 165): [(0.56677, 0.0019049), (0.33527, 0.048271), (0.23823, 0.15754)],
-    ("greenwood_williamson", 0.4, 20): [(np.nan, np.nan), (0.81461, np.nan), (np.nan, np.nan)],
-}
-DRY = {(0.1, 20): 0.728, (0.4, 60): 0.600, (1, 165): 0.639}  # A_a/A_H at rest, by Sq and correlation length, um
-BALL, INNER_GROOVE, PITCH, ANGLE = 3.97e-3, 4.13e-3, 39.01e-3, 0.18  # m, rad: the inner contact of a 6205
-BALL_ON_INNER = {
-    "curvature_rolling": 1 / BALL + np.cos(ANGLE) / (PITCH / 2 - BALL * np.cos(ANGLE)),
-    "curvature_transverse": 1 / BALL - 1 / INNER_GROOVE,
-    "load": 620.630,
-    "modulus": E,
-}
-PER_RADIAN = 9.361428e-3  # u/w, m
-
-
-@pytest.mark.parametrize(("law", "sq", "length"), PRINTED)
-def test_the_values_of_another_program(law: AsperityLaw, sq: float, length: float) -> None:
-    """To its five printed digits: half a unit of the last, at most 5e-5 of the number."""
-    gap = rough(sq * 1e-6, length * 1e-6, law)
-    given = BALL_ON_INNER | {"viscosity": 0.06, "pressure_viscosity": 2e-8}
-    found = mixed(gap, **given, entrainment_speed=PER_RADIAN * RING_SPEED)
-    numbers = np.array([found.asperity_share, found.film_thickness * 1e6]).T
-    printed = np.array(PRINTED[law, sq, length])
-    known = np.isfinite(printed)
-    np.testing.assert_allclose(numbers[known], printed[known], rtol=5e-5)
-    if law == "zhao_maietta_chang":
-        still = mixed(gap, **given, entrainment_speed=0.0)
-        np.testing.assert_allclose(still.area_fraction, DRY[sq, length], atol=5e-4)  # three digits
