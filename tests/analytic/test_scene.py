@@ -30,29 +30,19 @@ def test_without_a_series_a_deep_groove_bearing_leans_by_twenty_degrees_at_most(
     assert with_clearance(BEARING_6205, -clearance).is_deep_groove  # preload closes the angle
 
 
-def test_grease_starves_as_measured_in_a_deep_groove_bearing_alone() -> None:
-    grease = replace(OIL, supply="grease")
-    angular = replace(BEARING_6205, series="72 B")
-    for oil, bearing, is_measured in (
-        (grease, BEARING_6205, True),
-        (OIL, BEARING_6205, False),
-        (replace(grease, starvation_degree=3.0), BEARING_6205, False),
-        (grease, angular, False),
+def test_grease_starves_as_measured_in_a_deep_groove_bearing_and_the_supply_where_nothing_else_is_known() -> None:
+    grease, given = replace(OIL, supply="grease"), replace(OIL, starvation_degree=3.0)
+    for oil, bearing, is_measured, by_supply in (
+        (OIL, BEARING_6205, False, True),
+        (grease, BEARING_6205, True, False),
+        (grease, replace(BEARING_6205, series="72 B"), False, True),
+        (given, BEARING_6205, False, False),
+        (replace(given, supply="grease"), BEARING_6205, False, False),
+        (OIL, replace(BEARING_6205, bore_diameter=None), False, False),
+        (OIL, replace(BEARING_6205, outside_diameter=None), False, False),
     ):
-        assert oil.starves_as_measured(bearing) == is_measured
-
-
-def test_the_supply_starves_where_nothing_else_is_known() -> None:
-    grease = replace(OIL, supply="grease")
-    for oil, bearing, starves in (
-        (OIL, BEARING_6205, True),
-        (grease, replace(BEARING_6205, series="72 B"), True),
-        (grease, BEARING_6205, False),
-        (replace(OIL, starvation_degree=3.0), BEARING_6205, False),
-        (OIL, replace(BEARING_6205, bore_diameter=None), False),
-        (OIL, replace(BEARING_6205, outside_diameter=None), False),
-    ):
-        assert oil.starves_by_replenishment(bearing) == starves
+        found = oil.starves_as_measured(bearing), oil.starves_by_replenishment(bearing)
+        assert found == (is_measured, by_supply)
 
 
 def test_a_series_has_arrays_of_one_length() -> None:

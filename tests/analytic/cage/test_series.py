@@ -31,21 +31,6 @@ def test_velocities_are_derivatives_of_places() -> None:
     assert np.all(series.max_force >= 0)
 
 
-def test_without_friction_forces_are_normal() -> None:
-    """Balls lead and lag and the cage tumbles: each force is along the offset of the ball from its pocket."""
-    slippery = replace(SEVEN, friction_coefficient=0.0, ball_lead=0.05e-3)
-    series = recorded_motion(CageMotion(slippery, begin="sudden", seed=3), duration=0.02, samples=700)
-    force, distance = np.linalg.norm(series.force, axis=2), np.linalg.norm(series.offset, axis=2)
-    pressed = force > 0
-    assert 20 < pressed.sum() < pressed.size / 2
-    assert distance[pressed].min() > SEVEN.half_clearance
-    # Damping reduces some forces to 0 while the contact opens.
-    assert np.mean(distance[~pressed] <= SEVEN.half_clearance) > 0.99
-    along = np.sum(series.force * series.offset, axis=2)[pressed]
-    # Tolerance: round-off that accumulates with the rotation
-    np.testing.assert_allclose(along, (force * distance)[pressed], rtol=1e-9)
-
-
 def test_the_file_has_series_and_units(tmp_path: Path) -> None:
     """Written as netCDF and read again."""
     series = recorded_motion(CageMotion(SEVEN, begin="sudden"), duration=2e-4, samples=5)

@@ -76,15 +76,6 @@ def test_eyrings_law_as_a_users_law_is_the_built_in_one() -> None:
     np.testing.assert_array_equal(oil_shear_stress(oil_numbers(own), **dry), oil_shear_stress(oil_numbers(OIL), **dry))
 
 
-def test_a_newtonian_oil_shears_by_its_viscosity_up_to_the_limit() -> None:
-    """Without pressure-viscosity eta v/h, whatever the scale of the stress."""
-    for scale in (1e6, 7e6):
-        oil = replace(OIL, traction=own_traction("newton", LAWS["newton"]), pressure_viscosity=0.0, eyring_stress=scale)
-        speed = np.array([0.0, 1e-3, 0.4, 300.0])
-        found = oil_shear_stress(oil_numbers(oil), pressure=0.4e9, speed=speed, film_thickness=0.2e-6)
-        np.testing.assert_allclose(found, np.minimum(0.043 * speed / 0.2e-6, 0.06 * 0.4e9), rtol=1e-12)
-
-
 def test_oil_without_a_film_shears_at_the_most_that_its_law_gives() -> None:
     oil = replace(OIL, traction=own_traction("exponential", LAWS["exponential"]))
     found = oil_shear_stress(oil_numbers(oil), pressure=[1.3e9, 2e7], speed=0.2, film_thickness=0.0)

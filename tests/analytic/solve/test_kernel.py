@@ -139,21 +139,6 @@ def test_forces_of_a_ball_are_compared_with_the_smaller_of_its_loads() -> None:
     np.testing.assert_allclose(point["weight_share"], np.max(bearing.ball_mass * STANDARD_GRAVITY / least), rtol=1e-12)
 
 
-def test_friction_that_could_hold_is_that_of_all_balls(unequal: Solution) -> None:
-    """Coulomb friction: the coefficient times the loads."""
-    np.testing.assert_allclose(
-        unequal.points["most_friction"][0], 0.07 * unequal.balls[0]["load"].sum(axis=0), rtol=1e-9
-    )
-
-
-def test_the_oil_s_force_times_twice_the_entrainment_is_the_power_of_rolling() -> None:
-    found = found_at(scene_of(axial_load=570.0, inner_speed=93.0), ROLLING)
-    point, motion = found.points[0], found.balls[0, 0]["motion"]
-    both = np.array([motion["inner_entrainment"], motion["outer_entrainment"]])
-    np.testing.assert_allclose(2 * np.sum(both * point["rolling_force"]), point["rolling"], rtol=1e-13)
-    assert np.all(point["rolling_force"] > 0)
-
-
 def test_spin_alone_is_the_pivoting_of_every_ball_on_its_inner_race() -> None:
     """3/8 mu Q b E(m), at the whole difference of spin where the outer race controls the balls."""
     found = found_at(scene_of(**UNEQUAL), {"spin": True, "load_distribution": True})
@@ -249,16 +234,6 @@ def test_unequal_loads_press_the_heaviest_ball_as_stribeck_has_it(factor: float,
     scene = scene_of(**{"axial_load": 0.0, "inner_speed": speed, name: load})
     point = found_at(scene, {"centrifugal": True, "load_distribution": True}).points[0]
     assert (point["status"] == THROWN) == (factor > 1)
-
-
-def test_a_thrust_the_other_way_is_no_missing_load() -> None:
-    """A thrust of 3000 N holds balls as well in both directions, beside a small radial load."""
-    counted = ROLLING | {"centrifugal": True}
-    both = found_at(scene_of(axial_load=np.array([3000.0, -3000.0]), radial_load=90.0, inner_speed=310.0), counted)
-    assert both.points["status"].tolist() == [SETTLED, SETTLED]
-    for name in ("spin", "conformity", "hysteresis", "rolling"):
-        first, mirrored = both.points[name]
-        assert mirrored == pytest.approx(first, rel=1e-9)
 
 
 def test_a_ball_on_the_outer_race_alone_does_not_come_off() -> None:
