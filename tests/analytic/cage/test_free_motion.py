@@ -12,8 +12,7 @@ from analytic.cage.raceways import Raceways
 from analytic.cage.statistics import measured_motion
 from analytic.contact.geometry import RACES
 from analytic.errors import InputError
-from tests.analytic.cage.raceway_specimens import cage_on, races_under, races_under_thrust
-from tests.analytic.cage.specimens import WEIGHTLESS, W
+from tests.analytic.cage.specimens import WEIGHTLESS, W, cage_on, races_under, races_under_thrust
 from tests.analytic.specimens import BEARING_6205
 from tests.refusals import refused
 

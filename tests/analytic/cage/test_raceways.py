@@ -23,8 +23,7 @@ from analytic.errors import InputError
 from analytic.loads.ball_balance import grooves_of, settled_ball
 from analytic.loads.turning import Inertia
 from analytic.scene import Array, Operation
-from tests.analytic.cage.raceway_specimens import ANGLE, races_under
-from tests.analytic.cage.specimens import W
+from tests.analytic.cage.specimens import ANGLE, W, races_under
 from tests.analytic.specimens import BEARING_6205
 
 RADIUS, PITCH = BEARING_6205.ball_radius, BEARING_6205.pitch_diameter / 2

@@ -8,8 +8,7 @@ import xarray
 
 from analytic.cage.motion import CageMotion
 from analytic.cage.series import recorded_motion
-from tests.analytic.cage.raceway_specimens import cage_on, races_under_thrust
-from tests.analytic.cage.specimens import CAGE
+from tests.analytic.cage.specimens import CAGE, cage_on, races_under_thrust
 
 SEVEN = replace(CAGE, ball_count=7, orbit_speed=21.0, ball_speed=123.0)
 
