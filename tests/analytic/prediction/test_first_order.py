@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from analytic.oil.variation import Variation
-from analytic.prediction.first_order import first_order_ends
+from analytic.prediction.first_order import end_factors, first_order_ends
 from analytic.prediction.prediction import predict
 from analytic.scene import Array, Scene
 from analytic.scenefile.read import load_scene
@@ -88,3 +88,15 @@ def test_the_interval_does_not_jump_over_the_temperature() -> None:
         below, here, above = (at(celsius + step) for step in (-0.1, 0.0, 0.1))
         # 0.1 K changes the viscosity by a percent, and this change by far less.
         np.testing.assert_allclose(below - here, here - above, atol=2e-3)
+
+
+def test_independent_inputs_add_their_squares_at_the_end_that_they_move() -> None:
+    """One moves both ends, one the upper end alone; what both ends of an input raise counts once."""
+    base = np.array([2.0, 3.0])
+    both = base * np.exp([[-0.3, -0.1], [0.3, 0.2]])
+    up = base * np.exp([[0.4, 0.05], [0.1, 0.02]])
+    expected = np.exp([[-0.3, -0.1], [0.5, np.hypot(0.2, 0.05)]])
+    np.testing.assert_allclose(end_factors(base, [both, up]), expected, rtol=1e-12)
+    np.testing.assert_allclose(end_factors(base, [both[::-1], up]), expected, rtol=1e-12)
+    nothing = end_factors(np.array([0.0, 3.0]), [np.array([[0.0, 1.5], [1.0, 0.0]])])
+    np.testing.assert_allclose(nothing, [[1.0, 0.5], [1.0, 1.0]], rtol=1e-12)
