@@ -8,7 +8,7 @@ import numpy as np
 from analytic.contact.geometry import RACES
 from analytic.contact.hertz import HertzContact, HertzNumbers, loaded_contact
 from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
-from analytic.effects import COMPUTED, Effect
+from analytic.effects import Effect
 from analytic.loads.kinematics import ruled_motion
 from analytic.loads.numbers import bearing_numbers
 from analytic.loads.race_contacts import contact_under
@@ -23,6 +23,7 @@ from analytic.scene import (
     Decision,
     Groove,
     Lubricant,
+    Material,
     Operation,
     Scene,
     Surface,
@@ -67,8 +68,37 @@ Value = TypeVar("Value")
 DRY_PARTS = ("spin", "conformity", "hysteresis")  # of the torque without oil
 # The closed forms of textbooks at any tolerance
 AS_HERTZ: dict[str, Decision] = {"finite_geometry": "off", "spin": "on"}
-# All that balls have which closed kinematics turn, and whose weight has no direction
-EVERYTHING: dict[str, Any] = {name: "on" for name in COMPUTED if name not in ("weight", "creep")}
+
+
+def made(
+    *,
+    ball: float,
+    pitch: float,
+    count: int,
+    grooves: tuple[float, float],
+    clearance: float,
+    shoulder: float | None = 0.4,
+    material: Material = STEEL,
+) -> Bearing:
+    """A bearing from its ball and pitch diameter, m; radii of the grooves and shoulders over the ball's diameter."""
+    inner, outer = (
+        Groove(
+            bottom_radius=pitch / 2 + side * (ball / 2 + clearance / 4),
+            groove_radius=groove * ball,
+            shoulder_half_width=None if shoulder is None else shoulder * ball,
+            material=material,
+        )
+        for side, groove in zip((-1, 1), grooves, strict=True)
+    )
+    return Bearing(
+        name="made",
+        ball_count=count,
+        ball_diameter=ball,
+        ball_mass=material.density * np.pi / 6 * ball**3,
+        ball_material=material,
+        inner=inner,
+        outer=outer,
+    )
 
 
 def rolling_contact(**changed: Any) -> ContactNumbers:
@@ -142,46 +172,9 @@ def without(scene: Scene, *names: str) -> Scene:
     return replace(scene, effects={**scene.effects, **dict.fromkeys(names, "off")})
 
 
-def drawn(bearing: Bearing, random: np.random.Generator, points: int) -> Scene:
-    """A random scene of a steel bearing like the 6205."""
-    inner, outer = random.uniform(0.508, 0.55, 2) * bearing.ball_diameter
-    load = 10 ** random.uniform(1.5, 3.3, points)
-    radial = load * 10 ** random.uniform(-3, 0.3, points) * (random.random() < 0.5)
-    speed = 10 ** random.uniform(-0.5, 3.3, points)
-    rule = ("balanced", "inner_control", "outer_control")[random.integers(3)]
-    oil = replace(
-        OIL,
-        viscosity=10 ** random.uniform(-2.3, -0.7),
-        eyring_stress=10 ** random.uniform(6, 7),
-        traction=("eyring_sinh", "eyring_constant")[random.integers(2)],
-    )
-    finish = replace(FINISH, rms_roughness=10 ** random.uniform(-8, -6))
-    dry = random.random() < 0.25
-    effects: dict[str, Any] = EVERYTHING | ({"asperities": "auto"} if dry else {})
-    return Scene(
-        name="drawn",
-        tolerance=1e-5,
-        bearing=replace(
-            bearing,
-            inner=replace(bearing.inner, groove_radius=inner, shoulder_half_width=3.6e-3),
-            outer=replace(bearing.outer, groove_radius=outer, shoulder_half_width=3.6e-3),
-        ),
-        contact_angle=ContactAngle(rule="solved", free=random.uniform(0.05, 0.45)),
-        operation=Operation(axial_load=load, inner_speed=speed, radial_load=radial),
-        lubricant=oil,
-        surface=None if dry else finish,
-        friction_coefficient=10 ** random.uniform(-2.3, -0.9) if dry else None,
-        hysteresis_loss=0.007,
-        spin_rule=rule,
-        effects=effects,
-    )
-
-
 def dry(bearing: Bearing) -> Scene:
     """1000 N, a given contact angle of 0.18 rad, mu = 0.1, alpha' = 0.007."""
     return Scene(
-        name="test",
-        tolerance=0.05,
         bearing=bearing,
         contact_angle=ContactAngle(rule="given", value=0.18),
         operation=thrust(1000.0),

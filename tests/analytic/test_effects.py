@@ -117,18 +117,6 @@ def test_a_measured_share_is_the_change_of_the_torque_without_the_effect(name: s
     assert other.share == pytest.approx(np.max(change / without_it.torque.total[at]), rel=1e-6, abs=close)
 
 
-def test_shares_of_a_pair_are_those_of_both_bearings() -> None:
-    """Measured by the pair without the effect, whose preload then shares the loads anew; a part is that of both."""
-    settings = {"arrangement.kind": "O", "arrangement.distance": "40 mm", "arrangement.preload": "500 N"}
-    pair = load_scene("7208B", axial_load=1000.0, radial_load=700.0, speed=157.0, settings=settings)
-    found, still = friction_torque(pair), friction_torque(without(pair, "gyroscopic"))
-    assert found.effects.points == (0,)
-    change = abs(found.torque.race - still.torque.race)[0] / found.torque.total[0]
-    assert effect_of(found, "gyroscopic").share == pytest.approx(change, rel=1e-9)
-    assert found.torque.rolling is not None
-    assert effect_of(found, "rolling").share == pytest.approx((found.torque.rolling / found.torque.total)[0], rel=1e-12)
-
-
 def test_a_part_has_its_share_and_its_loss_is_in_the_total() -> None:
     found = friction_torque(replace(RADIAL, losses=Losses(seals=5e-3, drag=2e-3)))
     plain = friction_torque(RADIAL)

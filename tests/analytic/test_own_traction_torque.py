@@ -26,7 +26,6 @@ CARREAU = own_traction("carreau", lambda x: x * (1 + x * x) ** ((0.46 - 1) / 2))
 @pytest.fixture(scope="module")
 def scene(bearing_6205: Bearing) -> Scene:
     return Scene(
-        name="own law",
         tolerance=0.01,
         bearing=bearing_6205,
         contact_angle=ContactAngle(rule="solved", free=0.31),

@@ -113,21 +113,6 @@ def test_a_relieved_bearing_at_rest_is_named_and_left_out(scene: Scene) -> None:
     assert not any("relieve" in each for each in loaded.warnings)
 
 
-def test_a_bearing_that_is_never_pressed_has_no_torque(scene: Scene) -> None:
-    pair = pair_of(friction_torque(paired(scene, 2000.0, preload=80.0, speed=0.0)))
-    assert pair.bearings[1] is None
-    assert pair.total[1, 0] == 0
-
-
-def test_a_relieved_bearing_at_speed_has_the_torque_of_centrifugal_force(scene: Scene) -> None:
-    found = friction_torque(paired(scene, 2000.0, preload=80.0, speed=900.0))
-    pair = pair_of(found)
-    assert pair.equilibrium.is_relieved[1, 0]
-    assert pair.equilibrium.is_pressed[1, 0]
-    assert 0 < pair.total[1, 0] < 0.05 * pair.total[0, 0]
-    assert any("relieve the second bearing" in each for each in found.warnings)
-
-
 def test_a_bearing_that_is_pressed_the_other_way_is_its_mirror_image() -> None:
     """Tight bearings take thrust both ways: much thrust turns the second one round."""
     tight = parse_scene(TEXT.replace('contact_angle = { nominal = "25 deg" }', 'clearance = "-8 um"'), origin="here")

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from analytic.errors import InputError
-from analytic.reading import content_of, require_regular
+from analytic.reading import content_of
 from analytic.scenefile.read import load_scene
 from analytic.surface.heightmap import read_height_map
 from fembearing.mesh.meshfile import read_body
@@ -66,15 +66,3 @@ def test_a_file_that_the_disk_does_not_give_is_an_input_that_cannot_be_read() ->
         pytest.skip("this system has no such file")
     with pytest.raises(InputError, match="cannot be read: Input/output error; give another"):
         content_of("/proc/self/mem", most=7, remedy="give another")
-
-
-def test_no_file_stays_open(tmp_path: Path) -> None:
-    if not Path("/proc/self/fd").is_dir():
-        pytest.skip("this system does not list open files")
-    (tmp_path / "there").write_bytes(b"12345678")
-    before = len(os.listdir("/proc/self/fd"))
-    require_regular(tmp_path / "there", most=8, remedy="")
-    for path, most in ((tmp_path, 9), (tmp_path / "there", 7), (tmp_path / "none", 7)):
-        with pytest.raises(InputError):
-            require_regular(path, most=most, remedy="")
-    assert len(os.listdir("/proc/self/fd")) == before

@@ -29,23 +29,16 @@ def scene(bearing_6205: Bearing) -> Scene:
 
 def test_what_is_left_out_is_none_and_said(scene: Scene) -> None:
     found = friction_torque(replace(scene, effects={"hysteresis": "off", "conformity": "off", "spin": "on"}))
-    assert found.torque.conformity is None
-    assert found.torque.hysteresis is None
-    assert found.torque.rolling is None
-    assert found.torque.cage is None
+    for name in ("conformity", "hysteresis", "rolling", "cage"):
+        assert getattr(found.torque, name) is None
     np.testing.assert_array_equal(found.torque.total, part(found.torque, "spin"))
     told = {effect.name: effect for effect in found.effects}
     assert list(told) == list(ENTRIES)
     assert (told["spin"].decision, told["spin"].share, told["spin"].reason) == ("on", 1.0, "computed")
     assert [found.is_on(name) for name in ("spin", "conformity", "no effect")] == [True, False, False]
-    for name, words in (
-        ("conformity", "off in the scene"),
-        ("hysteresis", "off in the scene"),
-        ("rolling", "no lubricant"),
-    ):
-        assert words in told[name].reason
-    nothing = friction_torque(without(scene, *DRY_PARTS)).torque
-    assert nothing.total == 0
+    assert "off in the scene" in told["conformity"].reason
+    assert "no lubricant" in told["rolling"].reason
+    assert friction_torque(without(scene, *DRY_PARTS)).torque.total == 0
 
 
 def test_what_cannot_be_answered_is_refused(scene: Scene) -> None:
@@ -124,14 +117,3 @@ def test_the_cage_of_a_result_is_that_of_its_torque() -> None:
     for result in (friction_torque("6206", radial_load="2 kN"), friction_torque("7208B", axial_load="900 N")):
         assert result.cage is not None
         np.testing.assert_allclose(result.torque.cage, result.cage.torque, rtol=1e-8)  # of the ring's balance
-
-
-def test_races_without_friction_refuse_a_cage_at_once() -> None:
-    scene = load_scene("paper_6205", speed="0 rpm")
-    assert scene.surface is not None
-    assert scene.cage is not None
-    still = replace(scene, cage=replace(scene.cage, start=None))
-    refused(
-        lambda: friction_torque(replace(still, surface=replace(scene.surface, boundary_friction=0.0))),
-        "races with a friction of 0 drive no cage",
-    )

@@ -15,14 +15,6 @@ from tests.analytic.test_thrust_bearing import BEARING as THRUST_BEARING
 from tests.refusals import refused
 
 
-def test_a_bearing_has_its_pitch_clearance_and_centre_distance_by_hand() -> None:
-    """Of table 1 of the paper, mm: 15.53 + 23.48, 2 (23.48 - 15.53 - 7.94), 4.13 + 4.21 - 7.94."""
-    assert BEARING_6205.ball_radius == pytest.approx(3.97e-3, rel=1e-12)
-    assert BEARING_6205.pitch_diameter == pytest.approx(39.01e-3, rel=1e-12)
-    assert BEARING_6205.diametral_clearance == pytest.approx(20e-6, rel=1e-9)  # a small difference
-    assert BEARING_6205.groove_centre_distance == pytest.approx(0.40e-3, rel=1e-9)
-
-
 def test_a_bearing_is_a_deep_groove_bearing_by_its_series() -> None:
     for series, is_deep in (("62", True), ("618", True), ("72 B", False), ("NSK 72 C", False)):
         assert replace(BEARING_6205, series=series).is_deep_groove == is_deep
@@ -38,29 +30,19 @@ def test_without_a_series_a_deep_groove_bearing_leans_by_twenty_degrees_at_most(
     assert with_clearance(BEARING_6205, -clearance).is_deep_groove  # preload closes the angle
 
 
-def test_grease_starves_as_measured_in_a_deep_groove_bearing_alone() -> None:
-    grease = replace(OIL, supply="grease")
-    angular = replace(BEARING_6205, series="72 B")
-    for oil, bearing, is_measured in (
-        (grease, BEARING_6205, True),
-        (OIL, BEARING_6205, False),
-        (replace(grease, starvation_degree=3.0), BEARING_6205, False),
-        (grease, angular, False),
+def test_grease_starves_as_measured_in_a_deep_groove_bearing_and_the_supply_where_nothing_else_is_known() -> None:
+    grease, given = replace(OIL, supply="grease"), replace(OIL, starvation_degree=3.0)
+    for oil, bearing, is_measured, by_supply in (
+        (OIL, BEARING_6205, False, True),
+        (grease, BEARING_6205, True, False),
+        (grease, replace(BEARING_6205, series="72 B"), False, True),
+        (given, BEARING_6205, False, False),
+        (replace(given, supply="grease"), BEARING_6205, False, False),
+        (OIL, replace(BEARING_6205, bore_diameter=None), False, False),
+        (OIL, replace(BEARING_6205, outside_diameter=None), False, False),
     ):
-        assert oil.starves_as_measured(bearing) == is_measured
-
-
-def test_the_supply_starves_where_nothing_else_is_known() -> None:
-    grease = replace(OIL, supply="grease")
-    for oil, bearing, starves in (
-        (OIL, BEARING_6205, True),
-        (grease, replace(BEARING_6205, series="72 B"), True),
-        (grease, BEARING_6205, False),
-        (replace(OIL, starvation_degree=3.0), BEARING_6205, False),
-        (OIL, replace(BEARING_6205, bore_diameter=None), False),
-        (OIL, replace(BEARING_6205, outside_diameter=None), False),
-    ):
-        assert oil.starves_by_replenishment(bearing) == starves
+        found = oil.starves_as_measured(bearing), oil.starves_by_replenishment(bearing)
+        assert found == (is_measured, by_supply)
 
 
 def test_a_series_has_arrays_of_one_length() -> None:

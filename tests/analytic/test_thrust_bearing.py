@@ -12,8 +12,6 @@ from analytic.contact.geometry import race_contact, race_curvatures, shoulder_di
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.errors import InputError
-from analytic.loads.kinematics import ruled_motion
-from analytic.loads.numbers import bearing_numbers
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.oil.rolling import hydrodynamic_rolling
 from analytic.scene import Autocorrelation, Bearing, ContactAngle, Groove, Operation, Scene, Surface
@@ -62,19 +60,6 @@ def test_every_ball_carries_its_share_at_a_right_angle() -> None:
             for name in ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach"):
                 np.testing.assert_allclose(getattr(race, name)[index], getattr(by_hand, name), rtol=1e-12)  # round-off
     assert np.all(balls["angle"] == np.pi / 2)
-
-
-def test_balls_roll_at_half_the_speed_of_the_washer() -> None:
-    motion = ruled_motion(bearing_numbers(BEARING), 1.0, np.pi / 2, np.pi / 2)
-    for name, expected in (
-        ("cage_speed", 1 / 2),
-        ("inner_entrainment", PITCH / 4),
-        ("outer_entrainment", PITCH / 4),
-        ("inner_rolling_rate", PITCH / (2 * BALL)),
-        ("outer_rolling_rate", PITCH / (2 * BALL)),
-        ("spin_difference", 1.0),
-    ):
-        np.testing.assert_allclose(getattr(motion, name), expected, rtol=1e-12, err_msg=name)  # round-off
 
 
 @pytest.mark.parametrize("rule", ["balanced", "free"])

@@ -8,7 +8,6 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.function import torque_function
-from analytic.loads.ring import ring_equilibrium
 from analytic.result import FrictionTorque
 from analytic.scene import ContactAngle, Operation, Scene
 from analytic.scenefile.parts import operation
@@ -47,47 +46,6 @@ def test_the_moment_that_holds_a_ring_has_the_same_torque_when_it_is_given(rule:
         np.testing.assert_allclose(free.torque.total, held.torque.total, rtol=soft)
         np.testing.assert_array_equal(present(ring.tilt), tilt or 0.0)
         assert present(free.ring).holding_moment is None
-
-
-def test_a_ring_that_is_held_at_its_free_tilt_needs_no_moment() -> None:
-    one = {name: values[:1] for name, values in LOADS.items()} | {"inner_speed": np.array([70.0])}
-    scene = replace(at(), operation=Operation(tilt="free", **one))
-    free = friction_torque(scene)
-    tilt = float(present(present(free.ring).tilt)[0])
-    held = friction_torque(replace(scene, operation=Operation(tilt=tilt, **one)))
-    straight = friction_torque(replace(scene, operation=Operation(**one)))
-    needed = abs(present(present(straight.ring).holding_moment)[0])
-    # The tilt is rebuilt from the balls' angles and approaches, to 1e-9.
-    assert abs(present(present(held.ring).holding_moment)[0]) < 1e-6 * needed
-    np.testing.assert_allclose(held.torque.total, free.torque.total, rtol=1e-7)
-    assert abs(straight.torque.total[0] / free.torque.total[0] - 1) > 0.05
-
-
-def test_the_moment_is_that_of_the_rings_equilibrium() -> None:
-    found = present(torque(tilt=-4e-4).ring)
-    solved = ring_equilibrium(
-        BEARING_6205,
-        SOLVED,
-        axial_load=LOADS["axial_load"],
-        radial_load_x=LOADS["radial_load"],
-        tilts=(0.0, -4e-4),
-        inner_speed=[70.0, 45.0],
-    )
-    np.testing.assert_allclose(present(found.holding_moment), solved.moment[:, 1], rtol=1e-8)  # of both iterations
-    np.testing.assert_allclose(present(found.displacement), solved.displacement, rtol=1e-8, atol=1e-14)
-    assert present(found.row(1).holding_moment) == present(found.holding_moment)[1]
-
-
-def test_equal_balls_that_stand_for_unequal_ones_hold_the_ring_by_its_stiffness() -> None:
-    slight = {"radial_load": np.array([2.0, 3.0]), "axial_load": np.array([900.0, 700.0])}
-    rings = [
-        present(friction_torque(replace(at(**slight), effects={"load_distribution": way, "weight": "off"})).ring)
-        for way in ("off", "on")
-    ]
-    equal, each = (present(ring.holding_moment) for ring in rings)
-    assert np.ptp(rings[0].load[0, 0]) == 0 < np.ptp(rings[1].load[0, 0])
-    np.testing.assert_allclose(equal, each, rtol=0.03)  # the stiffness is that before the load
-    np.testing.assert_allclose(present(rings[0].displacement)[:, 4], 0.0, atol=1e-20)  # round-off
 
 
 def checked(found: FrictionTorque) -> PhysicalCheck | None:

@@ -10,44 +10,18 @@ from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.loads.state import approaches
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.result import FrictionTorque
-from analytic.scene import Bearing, ContactAngle, Decision, Scene
+from analytic.scene import Bearing, ContactAngle, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from tests.analytic.specimens import AS_HERTZ, DRY_PARTS, dry, part, thrust, without
+from tests.analytic.specimens import dry, part, thrust, without
 
 GIVEN = ContactAngle(rule="given", value=0.18)
 SOLVED = ContactAngle(rule="solved", free=0.18)
-SLOW: dict[str, Decision] = {"centrifugal": "off", "gyroscopic": "off"}  # a load as light as one likes, at any speed
 
 
 @pytest.fixture(scope="module")
 def scene(bearing_6205: Bearing) -> Scene:
     return dry(bearing_6205)
-
-
-def test_torque_is_the_same_at_any_speed_either_way_and_at_standstill(scene: Scene) -> None:
-    series = friction_torque(replace(scene, operation=thrust(870.0, speed=[0.0, 1e-300, 3.7, -3.7, 5e3])))
-    for name in ("total", "race", *DRY_PARTS):
-        values = part(series.torque, name)
-        assert values.shape == (5,)
-        assert np.all(values == values[0])
-        assert values[0] > 0
-    np.testing.assert_array_equal(series.inner_speed, [0.0, 1e-300, 3.7, -3.7, 5e3])
-
-
-def test_preload_leaves_a_torque_without_thrust(scene: Scene, bearing_6205: Bearing) -> None:
-    tight = bearing_6205.inner.bottom_radius + bearing_6205.ball_diameter - 3e-6
-    preloaded = replace(
-        scene,
-        bearing=replace(bearing_6205, outer=replace(bearing_6205.outer, bottom_radius=tight)),
-        contact_angle=ContactAngle(rule="solved"),
-        operation=thrust(1e-3, 1e-9),
-        effects=AS_HERTZ | SLOW,
-    )
-    found = friction_torque(preloaded).torque
-    assert found.total[1] > 1e-4
-    np.testing.assert_allclose(*found.total, rtol=1e-5)
-    assert part(found, "spin")[1] < 1e-12 * found.total[1]  # al goes with the load, and spin with al
 
 
 def test_without_friction_only_hysteresis_is_left(scene: Scene) -> None:
@@ -95,28 +69,6 @@ def test_a_corrected_approach_moves_the_equilibrium(scene: Scene) -> None:
     assert abs(al - friction_torque(asked).contact_angle[0]) > 1e-5
     stiffness = thrust_equilibrium(bearing, SOLVED, axial_load=430.0, correction=correction)["outer_unit"]["stiffness"]
     np.testing.assert_allclose(stiffness, found.outer.load / found.outer.approach**1.5, rtol=1e-13)
-
-
-def test_corrected_semi_axes_reach_the_torque(scene: Scene) -> None:
-    """Contacts that grow alike, without spin: conformity goes with b^2, hysteresis with a, on each race by itself."""
-    plain = without(scene, "spin")
-
-    def parts(correction: ContactCorrection | None) -> tuple[float, float]:
-        found = friction_torque(plain, correction=correction).torque
-        return float(part(found, "conformity")[0]), float(part(found, "hysteresis")[0])
-
-    inner = parts(ContactCorrection(inner=ContactFactors(semi_axis_rolling=1.04, semi_axis_transverse=1.04)))
-    outer = parts(ContactCorrection(outer=ContactFactors(semi_axis_rolling=1.04, semi_axis_transverse=1.04)))
-    for index, growth in enumerate((1.04**2, 1.04)):
-        whole = parts(None)[index]
-        # what the inner race adds and what the outer adds are together what both add
-        np.testing.assert_allclose(inner[index] + outer[index], (1 + growth) * whole, rtol=1e-13)  # round-off
-        assert whole < outer[index] < growth * whole
-    pressed = friction_torque(
-        plain, correction=ContactCorrection(inner=ContactFactors(semi_axis_rolling=1.04, semi_axis_transverse=1.04))
-    ).inner
-    product = 2 * np.pi * pressed.semi_axis_rolling * pressed.semi_axis_transverse * pressed.peak_pressure / 3
-    np.testing.assert_allclose(product, pressed.load, rtol=1e-14)  # the pressure still carries the load
 
 
 def test_the_builtin_scene_from_its_file() -> None:

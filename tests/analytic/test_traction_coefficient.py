@@ -1,7 +1,5 @@
 """Traction of rolling discs: its integral by another quadrature, its limits, and its place beside measured oils."""
 
-import csv
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -47,19 +45,3 @@ def test_mineral_and_naphthenic_oil_lie_within_a_tenth_of_the_measured_ones() ->
     assert len(found) == 48
     assert 0.9 < run.mean_ratio(found, "M100", "N100") < 1.1
     assert 1.0 < run.mean_ratio(found, "PAO100") < np.exp(2 * 0.35)  # the interval of PAO holds it
-
-
-def test_the_reference_of_the_study_is_the_printed_law() -> None:
-    """Equation 13 of [Arana2019] by hand, without the heating: within what 6 K of heating change."""
-    with Path(run.DATA).open(encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    cool = [row for row in rows if row["oil"] == "M100" and float(row["heating [K]"]) < 1]
-    assert len(cool) >= 3
-    for row in cool:
-        temperature, mean = 333.15 + float(row["heating [K]"]), np.pi / 4 * 1e9
-        a, b = -2.28e7 + 2.26e5 * temperature, -68.2e-3 + 27.68e-5 * temperature
-        alpha, ambient = 1 / (a + b * 1e9), 86.86e-6 * np.exp(890 / (temperature - 182))
-        rate = ambient * np.exp(mean / (a + b * mean)) * alpha * float(row["rolling_speed [m/s]"]) * float(row["slip"])
-        rate /= 2 * 0.047 * float(row["film [um]"]) * 1e-6
-        expected = min(2 * 0.047 / (alpha * mean) * np.arcsinh(rate), 0.047)
-        assert float(row["coefficient"]) == pytest.approx(expected, rel=5e-3)  # the flash heating is not repeated here

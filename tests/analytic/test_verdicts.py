@@ -11,7 +11,7 @@ from scipy.optimize import bisect
 from analytic.result import FrictionTorque
 from analytic.scene import Arrangement, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
-from analytic.verdicts import PhysicalCheck, numerical_check, physical_checks
+from analytic.verdicts import NumericalCheck, PhysicalCheck, Verdicts, numerical_check, physical_checks
 from tests.analytic.specimens import BEARING_6205, OIL, STAMPED_CAGE, present
 from tests.validation.hard.hertz_exact import hertz as exact_hertz
 
@@ -22,8 +22,6 @@ PLAIN = {"finite_geometry": "off", "load_distribution": "off", "centrifugal": "o
 def scene(load: Any, speed: float = 37.0, **given: Any) -> Scene:
     loads = np.array(load, ndmin=1)
     known: dict[str, Any] = {
-        "name": "limits",
-        "tolerance": 0.05,
         "bearing": BEARING_6205,
         "contact_angle": ContactAngle(rule="given", value=ANGLE),
         "operation": Operation(axial_load=loads, inner_speed=np.full(loads.shape, speed)),
@@ -129,24 +127,6 @@ def outer_control_hold(speed: float, angle: np.ndarray, load: np.ndarray) -> np.
     return moment / (2 * 0.083 * load * r)
 
 
-def test_the_hold_of_balls_at_the_edge_of_the_loaded_zone_does_not_count() -> None:
-    given = scene(100.0, speed=23.0, contact_angle=ContactAngle(rule="solved"))
-    operation = replace(given.operation, radial_load=300.0, tilt="free")
-    ruled = PLAIN | {"creep": "off", "load_distribution": "on"}
-    result = friction_torque(
-        replace(given, operation=operation, friction_coefficient=0.083, effects=ruled, spin_rule="outer_control")
-    )
-    ring = present(result.ring)
-    load, angle = ring.load[0, 0], ring.contact_angle[0, 0]
-    holds, share = outer_control_hold(23.0, angle, load), load / load.max()
-    assert share.min() < 0.09
-    # The lightest ball would be the worst, or its mirror image.
-    assert share[np.argmax(holds)] == pytest.approx(share.min(), rel=1e-9)
-    expected = holds[share >= 0.1].max()
-    found = check(result, "gyroscopic_hold", "ball")
-    assert found.value == pytest.approx(expected, rel=1e-3)  # the balls' own forces part the loads of both races
-
-
 def lubricated(speed: float, load: float, **given: Any) -> Scene:
     return scene(load, speed, lubricant=OIL, **given)
 
@@ -243,3 +223,36 @@ def test_accuracy_is_a_verdict_of_its_own() -> None:
     assert numerical_check(sure, tolerance=0.031).verdict == "pass"
     short = numerical_check(sure, tolerance=0.0309)
     assert (short.verdict, short.uncertainty) == ("not reached", 0.031)
+
+
+def physical(verdict: Any, name: Any = "peak_pressure", where: Any = "inner race") -> PhysicalCheck:
+    return PhysicalCheck(name=name, where=where, point=0, value=1.7e9, limit=4.2e9, unit="Pa", verdict=verdict, note="")
+
+
+SOLVED = NumericalCheck(verdict="pass", uncertainty=0.013, tolerance=0.05)
+LOOSE = NumericalCheck(verdict="not reached", uncertainty=0.083, tolerance=0.05)
+GOOD, BAD = physical("pass"), physical("fail", "sliding", "outer race")
+OPEN = physical("unknown", "cage_force", "cage")
+
+
+@pytest.mark.parametrize(
+    ("compared", "numerical", "checks", "overall", "causes"),
+    [
+        ({}, SOLVED, (GOOD,), "pass", 1),
+        ({"contacts": "pass", "film": "pass"}, None, (GOOD, GOOD), "pass", 1),
+        ({"contacts": "outside validity"}, SOLVED, (GOOD,), "fail", 1),
+        ({"contacts": "undecided"}, SOLVED, (GOOD,), "undecided", 1),
+        ({"contacts": "pass", "film": "undecided"}, SOLVED, (GOOD,), "undecided", 1),
+        ({"contacts": "undecided", "film": "pass", "friction": "fail"}, SOLVED, (GOOD,), "fail", 1),
+        ({}, LOOSE, (GOOD,), "undecided", 1),
+        ({}, SOLVED, (OPEN, GOOD), "undecided", 1),
+        ({"contacts": "fail"}, LOOSE, (GOOD, BAD, OPEN, BAD), "fail", 2),  # the failures alone, each once
+        ({"contacts": "undecided", "film": "undecided"}, LOOSE, (GOOD, OPEN), "undecided", 4),
+    ],
+)
+def test_the_most_serious_verdict_counts_with_its_causes(
+    compared: Any, numerical: NumericalCheck | None, checks: tuple[PhysicalCheck, ...], overall: str, causes: int
+) -> None:
+    found = Verdicts(numerical=numerical, physical=checks, compared=compared)
+    assert found.overall == overall
+    assert len(found.reason.split("; ")) == causes

@@ -115,9 +115,3 @@ def test_a_folder_comes_back_if_the_new_one_cannot_take_its_name(
         fill(tmp_path / "made", force=True)
     assert names(tmp_path) == ["made"]
     assert (tmp_path / "made/b.txt").read_text() == "old"
-
-
-def test_a_removed_folder_is_gone_whole(tmp_path: Path) -> None:
-    fill(tmp_path / "maps")
-    writing.remove_whole(tmp_path / "maps")
-    assert names(tmp_path) == []

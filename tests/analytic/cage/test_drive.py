@@ -9,12 +9,11 @@ import pytest
 from analytic.cage.drive import LARGEST_GRIP, CageDrive, cage_drive
 from analytic.cage.steady import hanging_torque, sliding_torque
 from analytic.cage.torque import CageMoves, CagePart, cage_friction
-from analytic.errors import InputError
 from analytic.numerics.elements import mapped
 from analytic.numerics.records import Records
 from analytic.scene import ContactAngle, Land, Operation, Scene
 from tests.analytic.cage.specimens import CAGED, RPM, with_cage
-from tests.analytic.specimens import FINISH, OIL, balls_of, present
+from tests.analytic.specimens import balls_of, present
 
 SPEEDS = np.array([500.0, -740.0, 0.0]) * RPM
 SOLVED = ContactAngle(rule="solved", free=0.18)
@@ -53,19 +52,6 @@ def test_free_balls_get_the_friction_of_their_load_and_the_loads_of_their_point(
     np.testing.assert_allclose(races.contacts.load[:, ::each], load[:, 1], rtol=1e-9)
 
 
-def test_a_ball_without_grip_is_named_unless_its_ring_stands_still() -> None:
-    friction = np.full((2, 3, 9), 7.0)
-    friction[:, 1, 6] = friction[:, 2, 3] = 0
-    friction[0, 0, 2] = 0  # the other race holds this one
-    drive = driven_by(AROUND)
-    grip = replace(drive.grip, friction=friction)
-    with pytest.raises(InputError, match=r"ball 7 of 9 has a load of 0 N on both races at -740 rpm"):
-        grip.require_grip(SPEEDS)
-    friction[:, 1, 6] = 7.0
-    grip.require_grip(SPEEDS)
-    replace(grip, friction=None).require_grip(SPEEDS)
-
-
 def test_balls_slide_from_the_largest_grip_number_on() -> None:
     mu = np.full(3, 0.1)
     number = driven_by(ALIKE).grip_number(mu)
@@ -80,14 +66,6 @@ def test_a_cage_is_squeezed_where_the_lead_reaches_its_room() -> None:
     assert led(0.1999, -0.2001, -0.1999).is_squeezed.tolist() == [False, True, False]
     drive = driven_by(ALIKE, land=Land(ring="outer", clearance=0.03e-3, width=9e-3))
     np.testing.assert_allclose(drive.room, 0.115e-3, rtol=1e-9)
-
-
-def test_balls_squeeze_no_harder_than_their_races_hold_them_where_that_is_known() -> None:
-    drive, mu = led(0.203, -0.21, 0.1), np.full(3, 0.1)
-    free = replace(drive, grip=replace(drive.grip, friction=None)).squeezing_force(mu)
-    held = drive.squeezing_force(mu)
-    assert np.all(held[:2] < free[:2])
-    np.testing.assert_array_equal(held, np.minimum(free, present(drive.grip.carried(mu))))
 
 
 def part_of(drive: CageDrive) -> CagePart:
@@ -105,12 +83,7 @@ def test_a_squeezed_cage_also_carries_its_weight() -> None:
     np.testing.assert_allclose(part.mean_force, 6.58e-3 * 9.80665 / np.hypot(1, 0.1) + force, rtol=1e-9)
     carried = present(drive.grip.carried(mu))[:, 0]
     np.testing.assert_allclose(part.grip_share, part.mean_force / (9 * carried), rtol=1e-12)
-    (warning,) = part.warnings
-    assert "at -740 rpm balls lead on one side of the bearing and lag on the other by 0.21 mm" in warning
-    assert "that of a rigid cage, +- 100 %" in warning
-    assert part.provenance == (
-        "closed form at rest, squeezed by balls that lead at 2 of 3 points, friction by friction.coefficient"
-    )
+    assert "at -740 rpm balls lead on one side of the bearing and lag on the other by 0.21 mm" in part.warnings[0]
     assert [part.row(point).state for point in range(3)] == ["squeezed", "squeezed", "rest"]
 
 
@@ -119,6 +92,3 @@ def test_the_grip_of_a_race_counts_loads_above_0_alone() -> None:
     unloaded["load"][:, 4] = 0.0
     friction = present(driven_by(unloaded, np.where(np.arange(9) == 4, np.nan, 0.07)).grip.friction)
     np.testing.assert_allclose(friction, 0.07 * np.moveaxis(unloaded["load"], -1, 0), rtol=1e-12)
-
-
-OILED = replace(CAGED, friction_coefficient=None, lubricant=OIL, surface=FINISH, contact_angle=SOLVED)

@@ -9,8 +9,7 @@ import pytest
 from analytic import friction_torque
 from analytic.cage.drive import cage_drive
 from analytic.errors import InputError
-from analytic.scene import ContactAngle, Land, Operation, Scene
-from fembearing.plain_types import plain
+from analytic.scene import ContactAngle, Operation, Scene
 from tests.analytic.cage.specimens import CAGED, RPM, with_cage
 from tests.analytic.specimens import balls_of, effect_of, present
 
@@ -41,11 +40,6 @@ def test_a_whirl_states_its_share_of_the_grip() -> None:
     expected = 15.95 / (9 * 2 * 0.1 * load / 1.1)
     np.testing.assert_allclose(cage.grip_number, expected, rtol=1e-2)  # free balls turn 0.4 % faster
     np.testing.assert_allclose(cage.grip_share, cage.grip_number, rtol=0.02)  # the motion against its closed form
-    assert np.all(result.numerical_uncertainty >= cage.half_interval / result.torque.total)
-    point: Any = plain(present(result.cage).row(0))
-    assert (point["grip_number"], point["grip_share"]) == (cage.grip_number[0], cage.grip_share[0])
-    motion = present(cage.motion[0])
-    assert (point["whirl_speed"], point["wobble"], point["ball_lead"]) == (motion.whirl_speed, motion.wobble, 0.0)
     assert effect_of(result, "ball_dynamics").reason.startswith(f"grip number {cage.grip_number[0]:.3g} at most")
 
 
@@ -83,15 +77,6 @@ def test_a_whirl_that_needs_more_grip_than_there_is_is_warned_of(start: Any, sta
     assert effect_of(result, "ball_dynamics").reason.startswith("off in the scene")
 
 
-def test_without_the_friction_of_the_races_a_whirl_is_not_known() -> None:
-    """Neither spin nor conformity: nothing slides on the races, and no coefficient is computed."""
-    balls = balls_of(FAST)
-    drive = cage_drive(FAST, balls, None, FAST.operation.inner_speed)
-    assert np.all(np.isnan(drive.grip_number(np.array([0.1]))))
-    with pytest.raises(InputError, match=r"no \[cage\] to drive"):
-        cage_drive(replace(FAST, cage=None), balls, 0.1, FAST.operation.inner_speed)
-
-
 def test_balls_lead_by_the_loads_of_the_ring() -> None:
     """118 um at 500 N (test_grip.py); the motion has it too."""
     result = friction_torque(pushed(500.0, clearance=0.2e-3, start="rest"))
@@ -108,27 +93,6 @@ def test_balls_lead_by_the_loads_of_the_ring() -> None:
     np.testing.assert_allclose(present(friction_torque(back).cage).ball_lead, -cage.ball_lead, rtol=0.02)
 
 
-def test_the_lead_by_the_weight_turns_with_it() -> None:
-    """Pure thrust is alike all round. Balls by rule, whose ring has no direction of its own."""
-    scene = replace(
-        FAST,
-        operation=Operation(axial_load=np.array([20.0]), inner_speed=np.array([500.0]) * RPM),
-        contact_angle=ContactAngle(rule="solved", free=0.18),
-        spin_rule="balanced",
-        effects={"weight": "on"},
-    )
-    leads = [
-        abs(
-            float(
-                present(friction_torque(replace(scene, down=(np.cos(azimuth), np.sin(azimuth), 0.0))).cage).ball_lead[0]
-            )
-        )
-        for azimuth in (0.0, 0.7, np.pi / 2)
-    ]
-    assert leads[0] > 0
-    np.testing.assert_allclose(leads[1:], leads[0], rtol=1e-3)  # nine balls are not quite round
-
-
 def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     scene = pushed(500.0, clearance=0.1e-3, start="whirl")
     result = friction_torque(scene)
@@ -137,29 +101,11 @@ def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     assert not result.is_on("cage_dynamics")
     (warning,) = (warning for warning in result.warnings if "wider pockets avoid this" in warning)
     assert "at 500 rpm" in warning
-    point: Any = plain(present(result.cage).row(0))
-    assert (point["state"], point["max_force"], point["whirl_speed"]) == ("squeezed", None, None)
+    assert present(result.cage).row(0).state == "squeezed"
     # Creep alone would give some 170 N (test_grip.py), so every ball slides: 2 mu Q/1.1, up to the weight of the cage
     np.testing.assert_allclose(cage.grip_share, 1.0, rtol=2e-4)
     rate = 15.599e-3 * 23.411 / 39.01  # r w_b/w at 0.18 rad; here the angle is larger
     np.testing.assert_allclose(cage.torque, 0.1 * cage.mean_force * rate, rtol=0.01)
-    assert ", squeezed by balls that lead at 1 of 1 points," in result.provenance["cage"]
-
-
-def test_a_land_leaves_less_room() -> None:
-    """0.2 mm of pocket and 0.03 mm of land leave 0.1 + 0.015 mm."""
-    result = friction_torque(pushed(500.0, clearance=0.2e-3, land=Land(ring="outer", clearance=0.03e-3, width=9e-3)))
-    assert present(result.cage).is_squeezed[0]
-    assert "free clearance of the pockets 0.115 mm" in "".join(result.warnings)
-
-
-def test_only_points_with_room_move() -> None:
-    """One operating point of two is squeezed, and the other moves."""
-    scene = pushed(500.0, clearance=0.1e-3, start="rest")
-    both = replace(scene.operation, radial_load=np.array([500.0, 100.0]))
-    cage = present(friction_torque(replace(scene, operation=both)).cage)
-    assert cage.is_squeezed.tolist() == [True, False]
-    assert [motion is None for motion in cage.motion] == [True, False]
 
 
 def test_races_without_friction_drive_no_cage() -> None:
@@ -181,9 +127,35 @@ def test_a_ball_without_load_drives_no_cage() -> None:
     assert present(friction_torque(still).cage).torque[0] > 0
 
 
-def test_ball_dynamics_is_settled_whatever_the_scene() -> None:
-    assert effect_of(friction_torque(FAST), "ball_dynamics").reason.startswith("cage.start is not given: give")
-    assert "no cage is given" in effect_of(friction_torque(replace(FAST, cage=None)), "ball_dynamics").reason
-    wanted = replace(FAST, effects={**FAST.effects, "ball_dynamics": "on"})
-    with pytest.raises(InputError, match=r'ball_dynamics = "on" is refused: cage\.start is not given'):
-        friction_torque(wanted)
+def running(load: float, rpm: float, **changed: object) -> Scene:
+    operation = Operation(axial_load=np.array([load]), inner_speed=np.array([rpm * np.pi / 30]))
+    scene = replace(CAGED, operation=operation, contact_angle=ContactAngle(rule="solved", free=0.18), effects={})
+    return with_cage(scene, **({"start": "whirl", "seeds": 2, "duration": 0.008} | changed))
+
+
+@pytest.mark.slow
+def test_a_whirl_beyond_the_grip_takes_what_the_balls_can_give() -> None:
+    """At 6000 rpm and 100 N given balls would press 2250 N; the races carry 9 balls of some 9 N."""
+    found = friction_torque(running(100.0, 6000.0))
+    cage = present(found.cage)
+    assert found.is_on("ball_dynamics")
+    assert cage.grip_number[0] > 20
+    assert cage.mean_force[0] < 85
+    assert cage.race_excess[0] > 0
+    # What the cage adds is its own torque and what the races lose more.
+    own = present(cage.motion[0]).torque
+    np.testing.assert_allclose(cage.torque, own + cage.race_excess, rtol=1e-12)  # round-off
+    assert np.isfinite(found.numerical_uncertainty[0])
+    assert "with balls that move freely at 1 of 1 points" in found.provenance["cage"]
+    given = friction_torque(replace(running(100.0, 6000.0), effects={"ball_dynamics": "off"}))
+    assert present(given.cage).mean_force[0] > 2000
+    assert any("of the grip of the races" in warning for warning in given.warnings)
+    assert not any("of the grip of the races" in warning for warning in found.warnings)
+
+
+def test_balls_that_hold_their_motion_stay_given() -> None:
+    found = friction_torque(running(1000.0, 500.0, duration=0.01))
+    reason = next(effect.reason for effect in found.effects if effect.name == "ball_dynamics")
+    assert not found.is_on("ball_dynamics")
+    assert reason.startswith("grip number 0.0")
+    assert np.isnan(present(found.cage).race_excess[0])

@@ -10,26 +10,6 @@ from analytic.cage.steady import LandGuidance
 from tests.analytic.cage.specimens import CAGE, WEIGHTLESS, W
 
 
-def test_the_land_rises_to_speed_with_the_ring() -> None:
-    """With a ramp of half a second the land has hardly moved after 1 ms."""
-    land = LandGuidance(radius=17e-3, half_clearance=0.05e-3, outside=False, speed=2.0, half_width=5e-3)
-    powers = []
-    for ramp in (0.5, 1e-4):
-        cage = replace(CAGE, land=land, half_clearance=1e-3, orbit_speed=0.0, ball_speed=0.0)
-        motion = CageMotion(cage, begin="ramp", ramp=ramp)
-        powers.append(motion.advance(1e-3).land_power)
-    assert powers[0] < 0.02 * powers[1]  # by then it has reached 0.2 % of 34 mm/s
-
-
-def test_the_land_guides_the_cage_before_the_pockets() -> None:
-    land = LandGuidance(radius=17e-3, half_clearance=0.05e-3, outside=False, speed=W, half_width=5e-3)
-    motion = CageMotion(replace(CAGE, land=land), begin="rest", seed=2)
-    motion.advance(0.05)
-    passed = motion.advance(0.05)
-    assert passed.land_power > 0
-    assert passed.distance < 0.06e-3
-
-
 @pytest.mark.parametrize(("outside", "speed"), [(False, 50.0), (True, -40.0)])
 def test_a_rotating_land_drives_the_cage(outside: bool, speed: float) -> None:
     """A cage at standstill hangs on its land and touches no ball: mu m g times the radius of the land turns it."""

@@ -2,10 +2,8 @@
 
 from dataclasses import replace
 from functools import partial
-from typing import Any
 
 import numpy as np
-import pytest
 
 from analytic.cage.motion import CageMotion
 from analytic.cage.statistics import measured_motion
@@ -34,25 +32,6 @@ def test_the_start_decides_between_rest_and_whirl() -> None:
     assert abs(resting.signed_moment) < 1e-2 * resting.torque
 
 
-def test_a_cage_that_cannot_whirl_has_one_steady_motion() -> None:
-    """With a whirl number of 0.5 a cage that was thrown falls back on its balls."""
-    slow = np.sqrt(0.5 * 9.80665 * CAGE.half_clearance) / 3.97e-3
-    cage = replace(CAGE, ball_speed=slow, orbit_speed=slow / RATE * 0.4, ring_speed=slow / RATE)
-    statistics = measured_motion(cage, start="sudden", seeds=2, duration=0.3)
-    assert (statistics.state, statistics.other) == ("rest", None)
-
-
-@pytest.mark.parametrize("rpm", [1.0, 500.0])
-def test_torque_at_rest_does_not_depend_on_speed(rpm: float) -> None:
-    """The speed that smooths friction is small relative to that of the balls, even of slow balls."""
-    slower = rpm * np.pi / 30 / W
-    driven = {name: slower * getattr(CAGE, name) for name in ("orbit_speed", "ball_speed", "ring_speed")}
-    statistics = measured_motion(replace(CAGE, **driven), start="rest", seeds=2, duration=0.02)
-    closed = hanging_torque(0.1, CAGE.mass * 9.80665, RATE * 3.97e-3, 0.18)
-    np.testing.assert_allclose(statistics.torque, closed, rtol=0.02)  # it swings slightly
-    assert statistics.state == "rest"
-
-
 def test_the_wobble_is_that_of_the_distance_instant_by_instant() -> None:
     cage, distances = replace(CAGE, ball_lead=0.06e-3), []
     for seed in range(2):
@@ -72,13 +51,6 @@ def test_a_swing_slower_than_a_block_is_not_rest() -> None:
     assert statistics.state == "irregular"
     assert max(statistics.block_maxima) > 10
     assert 0.1 * 2.98e-3 < statistics.wobble < 2.98e-3
-
-
-def test_a_tumbling_cage_on_a_land_is_not_at_rest() -> None:
-    """Although the clearance of the land is small next to that of the pockets."""
-    land = LandGuidance(radius=17e-3, half_clearance=0.05e-3, outside=False, speed=W, half_width=5e-3)
-    statistics = measured_motion(replace(CAGE, land=land, half_clearance=0.5e-3), start="whirl", seeds=2, duration=0.02)
-    assert statistics.state != "rest"  # irregular, or mixed as seeds of a tumbling motion may differ
 
 
 def test_statistics_are_those_of_the_blocks() -> None:
@@ -124,16 +96,6 @@ def test_different_states_of_seeds_are_mixed() -> None:
     statistics = measured_motion(replace(CAGE, ball_lead=0.1e-3), start="sudden", seeds=3, duration=0.05)
     assert statistics.state == "mixed"
     assert statistics.torque_interval[1] - statistics.torque_interval[0] > statistics.torque
-
-
-@pytest.mark.parametrize("start", ["rest", "ramp"])  # the ramp ends before the measured time
-def test_drag_brakes_the_cage_and_the_balls_push_it(start: Any) -> None:
-    """The mean moment of the balls about the axis balances the drag; without drag it is 0."""
-    cage = replace(CAGE, drag=2e-6)
-    statistics = measured_motion(cage, start=start, seeds=2, duration=0.05)
-    np.testing.assert_allclose(statistics.signed_moment, 2e-6 * CAGE.orbit_speed, rtol=0.02)
-    np.testing.assert_allclose(statistics.drag_torque, 2e-6 * CAGE.orbit_speed**2 / W, rtol=0.02)
-    assert statistics.torque > statistics.drag_torque
 
 
 def test_impossible_input_is_refused() -> None:

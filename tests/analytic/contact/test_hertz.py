@@ -12,7 +12,6 @@ from scipy.integrate import quad
 from analytic.contact.hertz import (
     HertzContact,
     contact_modulus,
-    ellipse_of,
     elliptic_integrals,
     hertz_contact,
     loaded_contact,
@@ -95,16 +94,6 @@ def test_the_integrals_agree_with_many_digits(squared_ratio: float) -> None:
         K, E = mpmath.ellipk(m), mpmath.ellipe(m)
         D = (K - E) / m if m else mpmath.pi / 4
         np.testing.assert_allclose([integral_k, share * integral_k], [float(K), float(D)], rtol=1e-15)  # 4 roundings
-
-
-@pytest.mark.parametrize("log_ratio", [0.0, 1e-13, 2e-5, 0.31, 3.4, 6.9, 13.8, 60.0])
-def test_the_last_step_to_the_ellipse_takes_its_integrals_along(log_ratio: float) -> None:
-    """K and D of the ellipse's own ratio, and the ratio of the curvatures that they give."""
-    squared_ratio, integral_k, integral_d = ellipse_of(log_ratio)
-    again, share = elliptic_integrals(squared_ratio)
-    np.testing.assert_allclose([integral_k, integral_d], [again, share * again], rtol=1e-14)  # round-off
-    ratio = (integral_k - integral_d) / (squared_ratio * integral_d)
-    np.testing.assert_allclose(np.log(ratio), log_ratio, rtol=1e-13, atol=1e-14)
 
 
 @pytest.mark.parametrize("curvatures", [(LARGE, SMALL), (SMALL, LARGE), (LARGE, 0.93 * LARGE)])

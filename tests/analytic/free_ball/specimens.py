@@ -1,17 +1,15 @@
 """Bearings of the published check values, and free balls under thrust with Coulomb friction."""
 
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 from analytic.numerics.records import Record
-from analytic.scene import Array, Bearing, ContactAngle, Groove, Operation, Scene
+from analytic.scene import Array, Bearing, ContactAngle, Operation, Scene
 from analytic.solve.model import Workspace, model_of, workspace
 from analytic.solve.records import SETTLED
 from analytic.solve.solution import points_of, solved
-from tests.analytic.specimens import BEARING_6205
-from tests.contacts import STEEL
+from tests.analytic.specimens import made
 
 FINE = 1  # level of 32 strips with 23 nodes
 COUNTED: dict[str, bool] = dict.fromkeys(("load_distribution", "centrifugal", "gyroscopic", "spin", "conformity"), True)
@@ -20,18 +18,9 @@ DIAMETER, PITCH, FREE_ANGLE = 11.906e-3, 60e-3, np.radians(40)
 
 def angular_contact() -> Bearing:
     """13 balls of 11.906 mm at 40 degrees, grooves of 0.52 and 0.53 ball diameters."""
-    play = 2 * (0.52 + 0.53 - 1) * DIAMETER * (1 - np.cos(FREE_ANGLE))
-    inner, outer = (
-        Groove(
-            bottom_radius=(PITCH + side * (DIAMETER + play / 2)) / 2,
-            groove_radius=conformity * DIAMETER,
-            shoulder_half_width=None,
-            material=STEEL,
-        )
-        for side, conformity in ((-1, 0.52), (1, 0.53))
-    )
-    mass = 7850 * np.pi / 6 * DIAMETER**3
-    return replace(BEARING_6205, ball_count=13, ball_diameter=DIAMETER, ball_mass=mass, inner=inner, outer=outer)
+    grooves = 0.52, 0.53
+    play = 2 * (sum(grooves) - 1) * DIAMETER * (1 - np.cos(FREE_ANGLE))
+    return made(ball=DIAMETER, pitch=PITCH, count=13, grooves=grooves, clearance=play, shoulder=None)
 
 
 class Turned(NamedTuple):
@@ -47,7 +36,6 @@ class Turned(NamedTuple):
 def dry_scene(bearing: Bearing, free_angle: float | None, friction: float, *, load: Array, speed: Array) -> Scene:
     """Of a bearing under thrust; load : N;  speed : rad/s"""
     return Scene(
-        name="free balls",
         bearing=bearing,
         contact_angle=ContactAngle(rule="solved", free=free_angle),
         operation=Operation(axial_load=load, inner_speed=speed),

@@ -10,9 +10,8 @@ from scipy.optimize import minimize
 
 from analytic.errors import ConvergenceError
 from analytic.free_ball import kernel, strips, turning
-from analytic.free_ball.rotation import Nodes, _write_nodes, free_quadratures
+from analytic.free_ball.rotation import Nodes, _write_nodes
 from analytic.free_ball.state import QUADRATURE, contact_states, scratch
-from analytic.loads.kinematics import ball_kinematics, ball_motion
 from analytic.loads.state import ball_states
 from analytic.numerics.records import Record, as_record
 from analytic.oil.law_table import law_address
@@ -122,54 +121,6 @@ def test_a_slow_ball_without_creep_loses_the_least_power(bearing: tuple, load: f
     assert 1e3 * free.torque == pytest.approx(least.fun, rel=2e-3)
 
 
-@pytest.mark.parametrize(
-    ("load", "speed", "friction"), [(100.0, 1500.0, 0.05), (50.0, 628.3, 0.1), (50.0, 628.3, 0.02)]
-)
-def test_a_fast_ball_obeys_the_closed_kinematics_at_its_own_pitch(load: float, speed: float, friction: float) -> None:
-    """It nearly obeys those of outer control too where one race presses far harder."""
-    bearing, free = STEEP
-    balls = under_thrust(bearing, free, load=load, speed=speed, friction=friction)
-    inner, outer = (float(angle) for angle in balls.angle)
-    radius = balls.motion["inner_radius"] + bearing.ball_radius * np.cos(balls.angle[0])
-    sizes = 2 * float(radius), bearing.ball_diameter
-    own = ball_motion(1.0, inner, outer, float(balls.motion["pitch"]), *sizes)
-    for name in ("cage_speed", "inner_entrainment", "outer_entrainment", "inner_rolling_rate", "outer_rolling_rate"):
-        np.testing.assert_allclose(balls.motion[name], getattr(own, name), rtol=3e-3)  # what slip leaves
-    if load == 50.0 and friction == 0.1:
-        ruled = ball_kinematics(1.0, inner, outer, *sizes)
-        np.testing.assert_allclose(balls.motion["cage_speed"], ruled.cage_speed, rtol=3e-3)
-
-
-def test_a_ball_near_its_limit_pitches_down_and_does_not_turn_across() -> None:
-    """Where friction cannot hold the gyroscopic moment the axis follows, below that of outer control."""
-    balls = under_thrust(*STEEP, load=50.0, speed=628.3, friction=0.02)
-    angle, (bearing, _) = balls.angle[1], STEEP
-    control = np.arctan2(np.sin(angle), np.cos(angle) + DIAMETER_OVER_PITCH)
-    assert 0 < balls.motion["pitch"] < 0.5 * control
-    assert abs(balls.work.balls[0]["velocity"][1]) < 1e-2 * bearing.ball_radius * balls.motion["ball_speed"]
-
-
-DIAMETER_OVER_PITCH = 11.906 / 60
-
-
-def test_any_start_leads_to_one_rotation() -> None:
-    _, balls, contacts, work, _ = under_thrust(*STEEP, load=500.0, speed=628.3, friction=0.1).work
-    random = np.random.default_rng(8)
-    ball, nodes = as_record(balls[0]), as_record(free_quadratures()[1])
-
-    def settled() -> Array:
-        for _ in range(12):  # each takes the speed of the surfaces through the contacts from the last
-            kernel.turn_ball(contacts[0], ball, nodes, 1e-10, work)
-        return ball.velocity.copy()
-
-    found = settled()
-    for _ in range(6):
-        pitch, across = random.uniform(-0.3, 1.3), random.uniform(-0.3, 0.3)
-        speed = float(np.linalg.norm(found[1:]))
-        ball.velocity = found[0], across * speed, speed * np.sin(pitch), -speed * np.cos(pitch)
-        np.testing.assert_allclose(settled(), found, rtol=1e-6, atol=1e-6 * speed)  # of a residual of 1e-10
-
-
 def test_a_ball_without_a_steady_rotation_is_named() -> None:
     """In a series that of the first point that has none, as if it were alone."""
     grooves = {race: replace(getattr(BEARING_6205, race), shoulder_half_width=None) for race in ("inner", "outer")}
@@ -269,18 +220,6 @@ def test_a_slanting_slip_is_resisted_by_both_flexibilities_or_by_none() -> None:
     assert (-large["along"], -large["across"]) == pytest.approx((3 * whole, 2 * whole), rel=3e-3)  # likewise
 
 
-def test_oil_in_series_with_the_surfaces_is_softer_than_either() -> None:
-    row, slip, passing = contact(**(OILED | {"radius": 1e9, "boundary": 0.0, "fluidity": 1e7})), (3e-9, 0.0, 0.0), 0.01
-    along = {}
-    for name, changed in (("both", {}), ("oil", {"flexibility": 1e-18}), ("surfaces", {"fluidity": 1e30})):
-        softened = row.copy()
-        for key, value in changed.items():
-            softened[key] = value
-        outcome = one_contact(softened, slip, passing=passing, nodes=Nodes(16, 16))
-        along[name] = -outcome["along"]
-    assert 0 < along["both"] < min(along["oil"], along["surfaces"])
-
-
 def with_fields(state: Record, **changed: float) -> Record:
     other = state.copy()
     for name, value in changed.items():
@@ -325,15 +264,6 @@ def test_the_powers_of_the_law_are_integrals_over_the_contact(law: dict[str, flo
     assert contacts[0].law_power == pytest.approx(area * float(stresses @ sliding.ravel()), rel=3e-3)  # of the cells
     assert contacts[0].unit_power == pytest.approx(area * float(np.sum(pressure * sliding)), rel=3e-3)
     assert contacts[1].law_power == contacts[1].unit_power == 0
-
-
-def test_at_standstill_all_friction_opposes_the_slip_at_once() -> None:
-    """Surfaces that do not pass each other have no creep."""
-    row = contact(radius=1e9)
-    outcome = one_contact(row, (3e-9, 4e-9, 0.0), passing=0.0, nodes=Nodes(24, 24))
-    found = -outcome["along"], -outcome["across"]
-    # 24 marched nodes at even angles are 1e-2 off the sum over a strip.
-    assert found == pytest.approx((0.6 * 0.07 * 300.0, 0.8 * 0.07 * 300.0), rel=0.01)
 
 
 NODES = Nodes(16, 12)

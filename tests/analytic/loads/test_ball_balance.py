@@ -78,31 +78,6 @@ def test_force_and_tangent_are_derivatives_of_the_energy(bearing_6205: Bearing, 
         np.testing.assert_array_equal(balance.inner_arm, balance.outer_arm)
 
 
-def test_a_vanishing_force_changes_nothing(bearing_6205: Bearing) -> None:
-    still, pushed = ball(bearing_6205, PLACES, 0 * PUSH), ball(bearing_6205, PLACES, 1e-9 * PUSH)
-    np.testing.assert_allclose(pushed.inner_load, still.inner_load, rtol=1e-8, atol=1e-12)
-    np.testing.assert_allclose(pushed.force, still.force, atol=3e-8)  # N: the force's own size
-    np.testing.assert_allclose(pushed.tangent[:3], still.tangent[:3], rtol=1e-6)
-
-
-def test_a_ball_settles_to_round_off_of_its_place(bearing_6205: Bearing) -> None:
-    """Of 0.4 mm, in contacts of 1e7 to 1e8 N/m each: some 1e-11 to 1e-10 N are left of forces of 600 N at most."""
-    grooves, softness = grooves_of(bearing_6205, PLAY), (INNER ** (-2 / 3), OUTER ** (-2 / 3))
-    for place, push in zip(PLACES, PUSH, strict=True):
-        found = settled_ball(grooves, tuple(place), softness, (push[0], push[1]), (0.0, 0.0))
-        assert 1e-12 < found.tolerance < 1e-9
-        assert found.left <= found.tolerance
-
-
-def test_the_start_does_not_change_the_ball(bearing_6205: Bearing) -> None:
-    cold = ball(bearing_6205, PLACES, PUSH)
-    for near in ((2e-6, -5e-6), (-40e-6, 90e-6)):
-        warm = ball(bearing_6205, PLACES, PUSH, near=near)
-        for name, values in cold._asdict().items():
-            close = 1e-11 * np.abs(values).max()  # a place of 0.2 mm to round-off, in contacts of 1 to 10 um
-            np.testing.assert_allclose(getattr(warm, name), values, rtol=0, atol=close)
-
-
 def test_springs_in_series_are_those_of_the_sum_of_their_softness() -> None:
     """(I^-1 + O^-1)^-1, for a soft direction across a stiff one; and two slack springs."""
     inner, outer = contact_tangent(3e7, 2e5, (0.8, 0.6)), contact_tangent(5e7, 1e5, (0.28, -0.96))

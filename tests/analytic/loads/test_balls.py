@@ -1,6 +1,5 @@
 """The torque of unequal balls against slip power from a minimum, and balance, symmetry and limits."""
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -9,17 +8,14 @@ from scipy.optimize import minimize
 
 from analytic.scene import (
     Array,
-    Autocorrelation,
     Bearing,
     ContactAngle,
     Decision,
-    Groove,
-    Material,
     Operation,
     Scene,
 )
 from analytic.torque import friction_torque
-from tests.analytic.specimens import FINISH, OIL, balls_of
+from tests.analytic.specimens import balls_of
 
 MU = 0.083
 FREE = 0.23
@@ -44,7 +40,6 @@ def operation(axial: float, radial: float, speed: float, moment: float = 0.0) ->
 @pytest.fixture(scope="module")
 def scene(bearing_6205: Bearing) -> Scene:
     return Scene(
-        name="unequal",
         tolerance=1e-5,  # the finest nodes at every point
         spin_rule="balanced",
         bearing=bearing_6205,
@@ -165,122 +160,3 @@ def test_a_vanishing_radial_load_leaves_the_thrusts_torque(scene: Scene) -> None
     changes = [torque(scene, radial_load=radial) - thrust for radial in (0.0, 1.0, 2.0)]
     np.testing.assert_allclose(changes[0], 0, atol=1e-9 * thrust)  # the ring's iteration
     np.testing.assert_allclose(changes[2] / changes[1], 4, rtol=0.01)  # the next term, of fourth order
-
-
-@pytest.fixture(scope="module")
-def oiled(scene: Scene) -> Scene:
-    more = dict.fromkeys(("asperities", "inlet_heating", "starvation", "hysteresis", "rolling"), "on")
-    return replace(
-        scene, friction_coefficient=None, lubricant=OIL, surface=FINISH, hysteresis_loss=0.006, effects={**ALL, **more}
-    )
-
-
-def test_balls_without_load_add_nothing(oiled: Scene) -> None:
-    """One ball of nine carries the load in the clearance: the other balls add no torque but by rolling in oil."""
-    still: dict[str, Decision] = {"centrifugal": "off", "gyroscopic": "off", "unloaded_balls": "off"}
-    alone = replace(oiled, effects={**oiled.effects, **still})
-    aside = replace(alone, operation=operation(0.0, 30.0, 40.0))
-    found = friction_torque(aside)
-    for values in (found.torque.total, found.ball_load, found.film.inner, found.asperity_share.outer):
-        assert np.all(np.isfinite(np.asarray(values)))
-    np.testing.assert_allclose(found.ball_load, 30.0, rtol=1e-9)  # one ball holds it all
-    # The same ball at the same contact, in a bearing of three: azimuths 0 and beyond a right angle.
-    three = replace(aside, bearing=replace(aside.bearing, ball_count=3))
-    np.testing.assert_allclose(friction_torque(three).torque.total, found.torque.total, rtol=1e-8)
-
-
-@pytest.mark.parametrize("speed", [0.5, 30.0])
-def test_balls_without_load_have_no_friction_to_move_them(scene: Scene, speed: float) -> None:
-    """A gyroscopic moment on balls that nothing presses: they stay where they are, and the ring settles."""
-    alone = replace(scene, operation=operation(0.0, 50.0, speed), effects={**ALL, "centrifugal": "off"})
-    still = replace(alone, effects={**ALL, "centrifugal": "off", "gyroscopic": "off"})
-    np.testing.assert_allclose(torque(alone), torque(still), rtol=1e-6)  # angles, and so moments, are 0
-
-
-THICK = replace(OIL, traction="eyring_constant", viscosity=0.6)
-
-
-@pytest.mark.parametrize(("metre", "kilogram", "second"), [(3.7, 0.21, 1.9), (0.6, 41.0, 0.3)])
-def test_the_torque_does_not_depend_on_units(oiled: Scene, metre: float, kilogram: float, second: float) -> None:
-    """The same scene in other units, without formulas fitted in mm and Pa (Roelands, inlets).
-
-    The film is so thick that the size of a molecule, which has no other units, does not count.
-    """
-    pressure, newton = kilogram / metre / second**2, kilogram * metre / second**2
-
-    def material(noun: Material) -> Material:
-        return replace(noun, youngs_modulus=noun.youngs_modulus * pressure, density=noun.density * kilogram / metre**3)
-
-    def groove(noun: Groove) -> Groove:
-        lengths = {
-            name: getattr(noun, name) * metre for name in ("bottom_radius", "groove_radius", "shoulder_half_width")
-        }
-        return replace(noun, material=material(noun.material), **lengths)
-
-    bearing, run = oiled.bearing, oiled.operation
-    plain = replace(oiled, lubricant=THICK, effects={**oiled.effects, "inlet_heating": "off", "starvation": "off"})
-    scaled = replace(
-        plain,
-        bearing=replace(
-            bearing,
-            ball_diameter=bearing.ball_diameter * metre,
-            ball_mass=bearing.ball_mass * kilogram,
-            ball_material=material(bearing.ball_material),
-            inner=groove(bearing.inner),
-            outer=groove(bearing.outer),
-        ),
-        operation=Operation(
-            axial_load=run.axial_load * newton,
-            radial_load=run.radial_load * newton,
-            inner_speed=run.inner_speed / second,
-            moment=np.zeros(1),
-        ),
-        lubricant=replace(
-            THICK,
-            viscosity=THICK.viscosity * pressure * second,
-            pressure_viscosity=OIL.pressure_viscosity / pressure,
-            thermal_conductivity=OIL.thermal_conductivity * newton / second,
-            density=OIL.density * kilogram / metre**3,
-            eyring_stress=OIL.eyring_stress * pressure,
-        ),
-        surface=replace(
-            FINISH,
-            rms_roughness=0.21e-6 * metre,
-            autocorrelation=Autocorrelation(kind="gaussian", length=43e-6 * metre, spacing=2e-6 * metre),
-            hardness=7.3e9 * pressure,
-        ),
-    )
-    expected = friction_torque(plain).torque
-    found = friction_torque(scaled).torque
-    for name in ("total", "spin", "conformity", "hysteresis", "rolling"):
-        np.testing.assert_allclose(getattr(found, name), getattr(expected, name) * newton * metre, rtol=1e-7)
-
-
-def closes(of: Callable[[float], float], at: float, steps: tuple[float, float]) -> None:
-    """The torque on both sides of a limit goes to that at the limit as the step shrinks."""
-    wide, near = (max(abs(of(at + sign * step) - of(at)) for sign in (-1, 1)) for step in steps)
-    assert near <= 0.3 * wide + 1e-9 * abs(of(at))
-    assert near < 1e-3 * abs(of(at))
-
-
-def test_the_torque_is_continuous_where_sides_change(scene: Scene, oiled: Scene) -> None:
-    for held in (scene, oiled):
-        each = replace(held, operation=replace(held.operation, tilt="free"))
-        closes(lambda radial, each=each: torque(each, radial_load=radial), 0.0, (1.0, 0.1))
-        closes(lambda moment, each=each: torque(each, radial_load=40.0, moment=moment), 0.0, (1e-2, 1e-3))
-    closes(lambda speed: torque(scene, inner_speed=speed), 0.0, (10.0, 1.0))  # force and moment of the balls end
-
-
-def test_the_torque_is_continuous_as_roughness_and_speed_vanish(oiled: Scene) -> None:
-    """Slow running goes to standstill where asperities hold the surfaces apart there, as these do."""
-    smooth = torque(replace(oiled, surface=replace(FINISH, rms_roughness=0.0)))
-    rough = [torque(replace(oiled, surface=replace(FINISH, rms_roughness=height))) for height in (1e-8, 1e-9, 1e-10)]
-    assert abs(rough[2] / smooth - 1) <= abs(rough[0] / smooth - 1)
-    np.testing.assert_allclose(rough[1:], smooth, rtol=1e-6)  # films are 100 times as thick
-    high = replace(oiled, surface=replace(FINISH, rms_roughness=4e-6))
-    held = friction_torque(replace(high, operation=operation(310.0, 170.0, 0.0)))
-    assert np.asarray(held.film.inner)[0] > 0  # else standstill is a jump, and the result says so
-    rest = float(held.torque.total[0])
-    slow = [abs(torque(high, inner_speed=speed) / rest - 1) for speed in (1e-2, 1e-4, 1e-6)]
-    assert slow[0] > slow[1] > slow[2]
-    assert slow[2] < 1e-3

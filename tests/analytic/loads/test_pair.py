@@ -6,14 +6,12 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 
-from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
 from analytic.loads.pair import PairContacts, PairEquilibrium, pair_equilibrium
 from analytic.loads.ring import ring_equilibrium
-from analytic.loads.thrust import thrust_equilibrium
 from analytic.loads.turning import Inertia
-from analytic.scene import Arrangement, Bearing, ContactAngle, Groove, Operation
-from tests.contacts import STEEL
+from analytic.scene import Arrangement, Bearing, ContactAngle, Operation
+from tests.analytic.specimens import made
 from tests.refusals import refused
 
 SOLVED = ContactAngle(rule="solved")
@@ -22,30 +20,12 @@ HERTZ = PairContacts(inertia=STILL, finite_geometry=False)
 STATICS = 1e-9  # of the loads: a thousand times the tolerance of the equilibrium
 
 
-def bearing(angle: float = 0.7, conformity: float = 0.52, *, shoulder: float = 0.5, **changed: Any) -> Bearing:
-    """Thirteen balls of 7.938 mm at this free contact angle; shoulder : half-width over the ball's diameter."""
-    ball, pitch = 7.938e-3, 39.1e-3
+def bearing(angle: float = 0.7, conformity: float = 0.52, **changed: Any) -> Bearing:
+    """Thirteen balls of 7.938 mm at this free contact angle."""
+    ball, grooves = 7.938e-3, (conformity, conformity)
     clearance = 2 * (2 * conformity - 1) * ball * (1 - np.cos(angle))
-    inner, outer = (
-        Groove(
-            bottom_radius=pitch / 2 + side * (ball / 2 + clearance / 4),
-            groove_radius=conformity * ball,
-            shoulder_half_width=shoulder * ball,
-            material=STEEL,
-        )
-        for side in (-1, 1)
-    )
-    known = Bearing(
-        name="made",
-        ball_count=13,
-        ball_diameter=ball,
-        ball_mass=2.06e-3,
-        ball_material=STEEL,
-        inner=inner,
-        outer=outer,
-        width=15e-3,
-    )
-    return replace(known, **changed)
+    known = made(ball=ball, pitch=39.1e-3, count=13, grooves=grooves, clearance=clearance, shoulder=0.5)
+    return replace(known, **{"width": 15e-3, **changed})
 
 
 def loads(axial: Any, *, radial: float = 0.0, moment: float = 0.0, speed: float = 0.0) -> Operation:
@@ -108,13 +88,6 @@ def test_each_bearing_alone_is_loaded_as_in_the_pair() -> None:
     np.testing.assert_allclose(tilts[0], found.tilt, rtol=1e-6)
 
 
-def test_tandem_shares_the_thrust_equally() -> None:
-    found = pair(loads([170.0, 830.0]), kind="tandem")
-    np.testing.assert_allclose(found.axial_load, np.array([[85.0, 415.0]] * 2), rtol=STATICS)
-    one = thrust_equilibrium(bearing(), SOLVED, axial_load=np.array([85.0, 415.0]))
-    np.testing.assert_allclose(found.ball_load, [one["load"][:, 0]] * 2, rtol=STATICS)
-
-
 @pytest.mark.parametrize("contacts", [HERTZ, PairContacts(inertia=STILL)])
 def test_the_stiffness_is_the_slope_of_the_curve(contacts: PairContacts) -> None:
     at = np.array([0.0, 150.0, 480.0, 1300.0])  # the second bearing is relieved at about 570 N
@@ -123,48 +96,11 @@ def test_the_stiffness_is_the_slope_of_the_curve(contacts: PairContacts) -> None
     np.testing.assert_allclose(slope, middle, rtol=5e-3)  # K is held, and its change with the angle left out
 
 
-def test_two_balls_hold_the_shaft_along_its_axis_alone() -> None:
-    """A series of thrusts has the slope of its displacement, and a radial load is refused."""
-    few = bearing(ball_count=2)
-    at = np.array([0.0, 30.0])
-    less, more = (
-        pair_equilibrium(few, SOLVED, Arrangement(kind="O", preload=40.0), loads(at + step), HERTZ)
-        for step in (0.0, 0.1)
-    )
-    slope, middle = 0.1 / (more.displacement - less.displacement), (less.stiffness + more.stiffness) / 2
-    np.testing.assert_allclose(slope, middle, rtol=5e-3)  # as above
-    aside = loads(11.0, radial=3.0)
-    alone = PairContacts(load_distribution=False, inertia=STILL, finite_geometry=False)
-    found = pair_equilibrium(few, SOLVED, Arrangement(kind="O", preload=40.0), aside, alone)
-    assert not found.radial_load.any()
-    assert not found.moment.any()
-
-
 def test_offset_and_preload_say_the_same() -> None:
     known = pair(loads(0.0), preload=240.0)
     np.testing.assert_allclose(pair(loads(0.0), offset=known.offset).preload, 240.0, rtol=1e-6)
     np.testing.assert_allclose(known.axial_load, 240.0, rtol=1e-6)  # two ways to the load of one displacement
     np.testing.assert_allclose(known.displacement, 0.0, atol=1e-15)
-
-
-def test_corrected_contacts_take_their_part() -> None:
-    slender, stiffer = bearing(angle=0.26, shoulder=0.36), ContactFactors(approach=0.9)  # within the fit's range
-    given = PairContacts(inertia=STILL, correction=ContactCorrection(inner=stiffer, outer=stiffer))
-    hertz, fitted, factored = (
-        pair_equilibrium(slender, SOLVED, Arrangement(kind="O", preload=200.0), loads(0.0), contacts)
-        for contacts in (HERTZ, PairContacts(inertia=STILL), given)
-    )
-    assert 1.002 < fitted.stiffness[0] / hertz.stiffness[0] < 1.05  # the groove closes in on the ball
-    # An approach of 0.9 shortens the offset by as much, less what the contact angle opens less.
-    assert 0.9 < factored.offset / hertz.offset < 0.93
-
-
-def test_speed_presses_balls_outward() -> None:
-    fast = pair(loads([0.0, 5000.0], speed=3000.0), PairContacts(), preload=200.0)
-    assert fast.preload == 200.0
-    assert np.all(fast.axial_load[:, 0] > 205.0)  # a rigid preload grows with the balls' centrifugal force
-    assert fast.is_relieved.tolist() == [[False, False], [False, True]]
-    assert fast.is_pressed.all()  # by balls that climb outward in their grooves
 
 
 def test_what_no_pair_can_be_is_refused() -> None:
@@ -189,16 +125,3 @@ def test_a_load_that_no_groove_bears_is_named() -> None:
             loads(11.0, radial=9e6),
             PairContacts(inertia=STILL, finite_geometry=True),
         )
-
-
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        ({"kind": "tandem", "preload": 5.0}, "arrangement.preload does not go with kind = .tandem."),
-        ({"kind": "O"}, "needs one of preload and offset"),
-        ({"kind": "X", "preload": 5.0, "offset": 1e-6}, "offset and preload both give"),
-    ],
-)
-def test_an_arrangement_has_one_preload(given: dict[str, Any], words: str) -> None:
-    with pytest.raises(InputError, match=words):
-        Arrangement(**given)

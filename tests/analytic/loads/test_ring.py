@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
 from analytic.loads.ring import RingEquilibrium, ring_equilibrium
 from analytic.loads.state import approaches
 from analytic.loads.thrust import thrust_equilibrium
+from analytic.numerics.records import Records
 from analytic.scene import Bearing, ContactAngle, Material
 from tests.analytic.specimens import loaded_contacts, with_clearance
 from tests.refusals import refused
@@ -32,8 +32,9 @@ def reference_arm(bearing: Bearing) -> float:
     return bearing.inner.bottom_radius + bearing.inner.groove_radius
 
 
-def force_and_moment(bearing: Bearing, angle: np.ndarray, load: np.ndarray) -> np.ndarray:
+def force_and_moment(bearing: Bearing, balls: Records) -> np.ndarray:
     """(axial, x, y, moment about x, about y) of forces along the inner contacts' normals, by cross products."""
+    angle, load = balls["angle"][..., 0], balls["load"][..., 0]
     azimuth = 2 * np.pi * np.arange(bearing.ball_count) / bearing.ball_count
     outward = np.stack([np.cos(azimuth), np.sin(azimuth), np.zeros_like(azimuth)], axis=-1)
     force = load[:, None] * (np.cos(angle)[:, None] * outward + np.sin(angle)[:, None] * [0.0, 0.0, 1.0])
@@ -87,17 +88,6 @@ def test_pure_thrust_is_the_closed_form(bearing_6205: Bearing, clearance: float)
     )  # the same steps
 
 
-def test_a_free_angle_replaces_the_clearance_and_corrections_reach_the_contacts(bearing_6205: Bearing) -> None:
-    factors = ContactFactors(approach=0.93, semi_axis_rolling=1.04, semi_axis_transverse=0.98)
-    correction = ContactCorrection(inner=factors)
-    given_angle = ContactAngle(rule="solved", free=0.18)
-    ring = ring_equilibrium(bearing_6205, given_angle, axial_load=700.0, correction=correction)
-    thrust = thrust_equilibrium(bearing_6205, given_angle, axial_load=700.0, correction=correction)
-    np.testing.assert_allclose(ring.balls["load"][..., 0], np.full(9, thrust["load"][0]), rtol=1e-10)  # TOLERANCE
-    of_ring, alike = (loaded_contacts(balls)[0].semi_axis_x for balls in (ring.balls, thrust))
-    np.testing.assert_allclose(of_ring, np.full(9, alike), rtol=1e-10)
-
-
 @pytest.mark.parametrize(("clearance", "count"), [(20e-6, 9), (-14e-6, 7), (3e-6, 4)])
 def test_the_load_is_the_gradient_of_the_elastic_energy(bearing_6205: Bearing, clearance: float, count: int) -> None:
     bearing = with_clearance(bearing_6205, clearance, ball_count=count)
@@ -136,20 +126,13 @@ def test_any_load_is_carried(
     bearing_6205: Bearing, ball_count: int, clearance: float, log_loads: tuple, signs: tuple
 ) -> None:
     bearing = with_clearance(bearing_6205, clearance, ball_count=ball_count)
-    arm = reference_arm(bearing)
-    load = np.array(signs) * 10.0 ** np.array(log_loads) * [1, 1, 1, arm, arm]
-    given_loads: dict[str, Any] = dict(zip(MIXED, load, strict=True))
+    arms = np.array([1, 1, 1, reference_arm(bearing), reference_arm(bearing)])
+    expected = np.array(signs) * 10.0 ** np.array(log_loads)
+    given_loads: dict[str, Any] = dict(zip(MIXED, expected * arms, strict=True))
     equilibrium = ring_equilibrium(bearing, SOLVED, **given_loads)
-    balance = force_and_moment(bearing, equilibrium.balls["angle"][..., 0], equilibrium.balls["load"][..., 0]) / [
-        1,
-        1,
-        1,
-        arm,
-        arm,
-    ]
-    expected = load / [1, 1, 1, arm, arm]
     scale = np.abs(expected).max() + equilibrium.balls["load"][..., 0].max()
     rounding = 1e-15 * np.trace(equilibrium.stiffness[:3, :3]) * 1e-3  # round-off of a place of up to 1 mm, N
+    balance = force_and_moment(bearing, equilibrium.balls) / arms
     np.testing.assert_allclose(balance, expected, rtol=0, atol=1e-11 * scale + rounding)
 
 
@@ -163,13 +146,6 @@ def test_no_load_leaves_the_play_and_a_preload_holds_its_balls(bearing_6205: Bea
     spun = ring_equilibrium(bearing_6205, SOLVED, inner_speed=410.0)
     assert not spun.balls["load"][..., 0].any()
     np.testing.assert_allclose(spun.balls["load"][..., 1], spun.balls["turning"]["centrifugal"], rtol=1e-12)
-
-
-def test_a_load_on_one_ball_leaves_a_freedom_and_is_carried(bearing_6205: Bearing) -> None:
-    """Clearance and almost no load: only the ball in the direction of the load touches; the tangential play stays."""
-    equilibrium = ring_equilibrium(bearing_6205, SOLVED, radial_load_x=1e-6)
-    np.testing.assert_allclose(equilibrium.balls["load"][..., 0][0], 1e-6, rtol=1e-7)  # round-off of a place of 10 um
-    assert not equilibrium.balls["load"][..., 0][1:].any()
 
 
 def test_few_balls_carry_thrust_alone(bearing_6205: Bearing) -> None:
@@ -188,43 +164,36 @@ def test_a_turning_ball_is_in_balance_by_newton_and_euler(bearing_6205: Bearing,
     equilibrium = ring_equilibrium(bearing_6205, SOLVED, **load, inner_speed=1900.0)
     mass, radius, pitch = bearing_6205.ball_mass, bearing_6205.ball_radius, bearing_6205.pitch_diameter
     ring_total = np.zeros(5)
-    for ball, azimuth in enumerate(equilibrium.azimuth):
+    for ball, azimuth in zip(equilibrium.balls, equilibrium.azimuth, strict=True):
         outward = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
         forward, axis = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0]), np.array([0.0, 0.0, 1.0])
-        inner, outer = equilibrium.balls["angle"][..., 0][ball], equilibrium.balls["angle"][..., 1][ball]
-        to_inner = np.cos(inner) * outward + np.sin(inner) * axis  # away from the inner contact
-        to_outer = np.cos(outer) * outward + np.sin(outer) * axis  # towards the outer contact
+        # Directions away from the inner contact and towards the outer one
+        to_inner, to_outer = (np.cos(angle) * outward + np.sin(angle) * axis for angle in ball["angle"])
+        at_inner, at_outer = -radius * to_inner, radius * to_outer
         # No slip at both contacts, no spin at the outer one
+        outer = ball["angle"][1]
         pitch_angle = np.arctan2(np.sin(outer), np.cos(outer) + 2 * radius / pitch)
         spin = np.sin(pitch_angle) * outward - np.cos(pitch_angle) * axis
-        at_inner, at_outer = -radius * to_inner, radius * to_outer
-        inner_speed = np.cross(spin, at_inner) @ forward
-        outer_speed = np.cross(spin, at_outer) @ forward
-        inner_radius, outer_radius = pitch / 2 + at_inner @ outward, pitch / 2 + at_outer @ outward
+        inner_speed, outer_speed = (np.cross(spin, arm) @ forward for arm in (at_inner, at_outer))
+        inner_radius, outer_radius = (pitch / 2 + arm @ outward for arm in (at_inner, at_outer))
         # (w - c) R_i = b inner_speed and -c R_o = b outer_speed for cage c and ball b
         cage, spin_rate = np.linalg.solve(
             [[inner_radius, inner_speed], [outer_radius, outer_speed]], [1900.0 * inner_radius, 0.0]
         )
-        np.testing.assert_allclose(
-            equilibrium.balls["turning"]["centrifugal"][ball], mass * pitch / 2 * cage**2, rtol=1e-9
-        )
-        momentum_change = np.cross(cage * axis, 0.4 * mass * radius**2 * spin_rate * spin)
-        both = equilibrium.balls["load"][..., 0][ball] + equilibrium.balls["load"][..., 1][ball]
-        couple = momentum_change @ forward / radius  # what friction at one contact would have to be
-        friction_inner = couple * equilibrium.balls["load"][..., 0][ball] / both * np.cross(forward, at_inner) / radius
-        friction_outer = couple * equilibrium.balls["load"][..., 1][ball] / both * np.cross(forward, at_outer) / radius
-        moment = np.cross(at_inner, friction_inner) + np.cross(at_outer, friction_outer)
-        np.testing.assert_allclose(moment, momentum_change, atol=1e-9 * np.abs(momentum_change).max() + 1e-15)
-        total = (
-            equilibrium.balls["load"][..., 0][ball] * to_inner
-            - equilibrium.balls["load"][..., 1][ball] * to_outer
-            + friction_inner
-            + friction_outer
-        )
-        np.testing.assert_allclose(total, -mass * pitch / 2 * cage**2 * outward, atol=1e-8 * both)
-        push = (
-            equilibrium.balls["load"][..., 0][ball] * to_inner + friction_inner
-        )  # on the ring it is the other way round
+        centrifugal = mass * pitch / 2 * cage**2
+        np.testing.assert_allclose(ball["turning"]["centrifugal"], centrifugal, rtol=1e-9)
+        change = np.cross(cage * axis, 0.4 * mass * radius**2 * spin_rate * spin)  # of angular momentum
+        share = ball["load"] / ball["load"].sum()
+        couple = change @ forward / radius  # what friction at one contact would have to be
+        friction = [
+            part * couple * np.cross(forward, arm) / radius
+            for part, arm in zip(share, (at_inner, at_outer), strict=True)
+        ]
+        moment = np.cross(at_inner, friction[0]) + np.cross(at_outer, friction[1])
+        np.testing.assert_allclose(moment, change, atol=1e-9 * np.abs(change).max() + 1e-15)
+        push = ball["load"][0] * to_inner + friction[0]  # on the ring it is the other way round
+        total = push - ball["load"][1] * to_outer + friction[1]
+        np.testing.assert_allclose(total, -centrifugal * outward, atol=1e-8 * ball["load"].sum())
         lever = np.cross(reference_arm(bearing_6205) * outward, push)
         ring_total += [push[2], push[0], push[1], lever[0], lever[1]]
     expected = np.array([load.get(name, 0.0) for name in MIXED])
@@ -236,7 +205,7 @@ def test_a_ring_that_hardly_touches_settles_under_a_moment(bearing_6205: Bearing
     """Two balls carry it; full Newton steps would swing to and fro between pairs of balls."""
     loose = with_clearance(bearing_6205, 22e-6)
     found = ring_equilibrium(loose, SOLVED, axial_load=1e-3, moment_x=0.224, moment_y=across)
-    borne = force_and_moment(loose, found.balls["angle"][..., 0], found.balls["load"][..., 0])
+    borne = force_and_moment(loose, found.balls)
     # The largest load is 18 N; 1e-9 of it, and of the moments, is what the balance leaves
     np.testing.assert_allclose(borne, [1e-3, 0.0, 0.0, 0.224, across], atol=2e-8)
 

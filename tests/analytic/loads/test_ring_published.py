@@ -6,30 +6,12 @@ import numpy as np
 from scipy.integrate import quad
 
 from analytic.loads.ring import ring_equilibrium
-from analytic.scene import Bearing, ContactAngle, Groove, Material
+from analytic.scene import ContactAngle, Material
+from tests.analytic.specimens import made
 
 SOLVED = ContactAngle(rule="solved")
 PUBLISHED = Path(__file__).parents[3] / "validation" / "published"
-steel = Material(name="steel", youngs_modulus=210e9, poisson_ratio=0.3, density=7850.0, source="test")
-
-
-def made(*, ball: float, pitch: float, count: int, grooves: tuple[float, float], clearance: float) -> Bearing:
-    """A steel bearing from its ball and pitch diameter and the groove radii over the ball's diameter."""
-    inner, outer = (pitch - ball) / 2 - clearance / 4, (pitch + ball) / 2 + clearance / 4
-    rings = [
-        Groove(bottom_radius=bottom, groove_radius=groove * ball, shoulder_half_width=0.4 * ball, material=steel)
-        for bottom, groove in zip((inner, outer), grooves, strict=True)
-    ]
-    mass = steel.density * np.pi / 6 * ball**3
-    return Bearing(
-        name="made",
-        ball_count=count,
-        ball_diameter=ball,
-        ball_mass=mass,
-        ball_material=steel,
-        inner=rings[0],
-        outer=rings[1],
-    )
+OWN_STEEL = Material(name="steel", youngs_modulus=210e9, poisson_ratio=0.3, density=7850.0, source="test")
 
 
 def test_radial_load_spreads_as_the_load_distribution_integral() -> None:
@@ -56,7 +38,14 @@ def test_displacements_of_another_program() -> None:
     table = np.genfromtxt(PUBLISHED / "masta_ring_displacement.csv", delimiter=",", names=True, skip_header=4)
     assert len(table) == 7
     for row in table:
-        bearing = made(ball=11.5e-3, pitch=43.5e-3, count=7, grooves=(0.52, 0.53), clearance=row["clearance_mm"] * 1e-3)
+        bearing = made(
+            ball=11.5e-3,
+            pitch=43.5e-3,
+            count=7,
+            grooves=(0.52, 0.53),
+            clearance=row["clearance_mm"] * 1e-3,
+            material=OWN_STEEL,
+        )
         arms = (bearing.inner.bottom_radius + bearing.inner.groove_radius) / (43.5e-3 / 2)
         found = ring_equilibrium(
             bearing,
@@ -71,21 +60,3 @@ def test_displacements_of_another_program() -> None:
         known = ~np.isnan(noted)
         # K of the standard is rounded to three digits (1.48), its third root to 1e-3 of the approach
         np.testing.assert_allclose(got[known], noted[known], rtol=2e-4)
-
-
-def test_axial_rigidity_of_a_makers_pair() -> None:
-    """A cross-check: the maker gives no groove radii; 0.517 to 0.518 ball diameters fit, 0.515 to 0.52 are usual."""
-    table = np.genfromtxt(PUBLISHED / "gmn_axial_rigidity.csv", delimiter=",", names=True, skip_header=2)
-    pair = {groove: axial_rigidity_of_pair(groove, table["preload_N"]) for groove in (0.517, 0.518)}
-    printed = table["axial_rigidity_of_pair_N_per_um"] * 1e6
-    rounding = 0.5e6  # of whole N/um
-    assert np.all(pair[0.518] < printed + rounding)
-    assert np.all(printed - rounding < pair[0.517])
-
-
-def axial_rigidity_of_pair(groove: float, preload: np.ndarray) -> np.ndarray:
-    """Two equal bearings set against each other, N/m: each is a spring of its tangent at the preload."""
-    ball = 7.938e-3
-    clearance = 2 * (2 * groove - 1) * ball * (1 - np.cos(np.radians(15)))
-    bearing = made(ball=ball, pitch=38.5e-3, count=13, grooves=(groove, groove), clearance=clearance)
-    return 2 * ring_equilibrium(bearing, SOLVED, axial_load=preload).stiffness[:, 0, 0]

@@ -31,11 +31,6 @@ from analytic.numerics.records import Record, Records
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle
 
 SOLVED = ContactAngle(rule="solved")
-SERIES: dict[str, Any] = {
-    "axial_load": np.array([310.0, 0.0, 22.0]),
-    "radial_load_x": np.array([540.0, 870.0, -3.0]),
-    "moment_y": np.array([-1.9, 0.0, 0.4]),
-}
 SPEED = 900.0
 WANTED = (310.0, 540.0, -20.0, 30.0, -11.0)  # N, moments over R
 LOOSE = (np.arange(9) == 4) * 1.0  # the ball that a radial load along x does not reach

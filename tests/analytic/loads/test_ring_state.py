@@ -55,16 +55,6 @@ def test_displacement_and_stiffness_are_those_that_the_equilibrium_solved_for(sc
     np.testing.assert_allclose(ring.stiffness / scale, solved.stiffness / scale, rtol=0, atol=1e-9)
 
 
-def test_the_balls_hold_the_load(scene):
-    ring = state(scene, **LOADS)
-    load, angle = ring.load[:, 0], ring.contact_angle[:, 0]
-    # Less the friction that carries the gyroscopic moment, 2 M_g/D of each ball: below 1e-3 of the loads here.
-    np.testing.assert_allclose(np.sum(load * np.sin(angle), axis=1), LOADS["axial_load"], rtol=0, atol=1.0)
-    np.testing.assert_allclose(
-        np.sum(load * np.cos(angle) * np.cos(ring.azimuth), axis=1), LOADS["radial_load"], rtol=0, atol=1.0
-    )
-
-
 def test_a_small_load_moves_the_ring_by_the_inverse_of_the_stiffness(scene):
     loads = {"axial_load": [700.0], "radial_load": [240.0], "moment": [2.0], "inner_speed": [3.0]}
     steps = {"axial_load": (0, 0.07), "radial_load": (1, 0.07), "moment": (4, 0.0007)}
@@ -90,24 +80,6 @@ def test_thrust_alone_moves_the_ring_along_its_axis_and_is_the_limit_of_a_small_
     np.testing.assert_allclose(ring.stiffness / scale, nearly.stiffness / scale, rtol=0, atol=1e-5)
 
 
-def test_a_load_that_hardly_changes_the_balls_moves_the_ring_all_the_same(scene):
-    load = {"axial_load": [900.0], "radial_load": [7.0], "moment": [-0.03], "inner_speed": [11.0]}
-    equal, each = (present(torque(scene, effects={"load_distribution": way}, **load).ring) for way in ("off", "on"))
-    assert np.ptp(equal.load[0, 0]) == 0 < np.ptp(each.load[0, 0])
-    # The balls' loads differ by some per cent, and the stiffness is that before the load.
-    np.testing.assert_allclose(present(equal.displacement), present(each.displacement), rtol=0.03, atol=1e-12)
-    np.testing.assert_array_equal(present(equal.at(np.array([0])).displacement), present(equal.displacement))
-
-
-def test_the_heaviest_ball_is_that_of_the_torque(scene):
-    result = torque(replace(scene, spin_rule="free"), effects={"creep": "on", "finite_geometry": "on"}, **LOADS)
-    np.testing.assert_array_equal(present(result.ring).load.max(axis=(1, 2)), result.ball_load)
-    some = result.at(np.array([1]))
-    np.testing.assert_array_equal(
-        present(present(some.ring).displacement), present(present(result.ring).displacement)[[1]]
-    )
-
-
 def test_a_given_angle_has_no_displacement_and_a_thrust_bearing_begins_where_it_touches(scene):
     angle = replace(scene.contact_angle, rule="given", value=0.31, free=None)
     given = torque(replace(scene, contact_angle=angle), axial_load=[800.0], inner_speed=[9.0])
@@ -121,28 +93,15 @@ def test_a_given_angle_has_no_displacement_and_a_thrust_bearing_begins_where_it_
     np.testing.assert_allclose(ring.stiffness[0, 0, 0], washers.bearing.ball_count * each, rtol=1e-9)
 
 
-def test_a_pair_has_the_state_of_each_bearing(scene):
-    pair = replace(scene, arrangement=analytic.scene.Arrangement(kind="O", preload=120.0, distance=0.03), cage=None)
-    result = torque(pair, axial_load=[300.0], inner_speed=[12.0])
-    assert result.ring is None
-    assert all(present(bearing).ring is not None for bearing in present(result.pair).bearings)
-
-
 def test_the_dataset_names_race_ball_and_freedom(scene):
     ring = state(scene, **LOADS)
-    found = ring.to_dataset()
-    for point, content in enumerate(plain(ring.row(number)) for number in range(2)):
+    found, rows = ring.to_dataset(), [plain(ring.row(number)) for number in range(2)]
+    for point, content in enumerate(rows):
         at = found.isel(point=point)
         for race in ("inner", "outer"):
             assert at["load"].sel(race=race).values.tolist() == content["balls"][f"{race}_load"]
-            angles = [np.nan if each is None else each for each in content["balls"][f"{race}_angle"]]
-            np.testing.assert_array_equal(at["contact_angle"].sel(race=race), angles)
-        assert at["azimuth"].values.tolist() == content["balls"]["azimuth"]
         for freedom, value in content["displacement"].items():
             assert float(at[f"displacement_{freedom}"]) == value
-        coupling = at["stiffness"].sel(force="axial", freedom="tilt_y")
-        assert float(coupling) == content["stiffness"][0][4]
-    assert [found[f"displacement_{name}"].attrs["units"] for name in ("x", "tilt_x")] == ["m", "rad"]
+        assert float(at["stiffness"].sel(force="axial", freedom="tilt_y")) == content["stiffness"][0][4]
     assert repr(ring) == f"RingState(6205, 2 points, 9 balls, heaviest {span(ring.load.max(axis=(1, 2)))} N)"
-    alone = ring.at(np.array([1]))
-    assert repr(alone) == f"RingState(6205, 1 point, 9 balls, heaviest {span(alone.load.max(axis=(1, 2)))} N)"
+    assert plain(ring.at(np.array([1])).row(0)) == rows[1]

@@ -14,8 +14,6 @@ from tests.analytic.specimens import with_clearance
 from tests.refusals import refused
 
 SOLVED = ContactAngle(rule="solved")
-# Of point contacts, half of the zone loaded: largest ball over Fr/(Z cos alpha), 1/J_r(0.5) [Stribeck1907]
-STRIBECK = 4.37
 
 
 def straight_ring(
@@ -81,25 +79,6 @@ def test_the_balls_of_a_straight_ring_are_those_of_springs(
     np.testing.assert_allclose(found.displacement[3:], [0.0, tilt], rtol=1e-15)  # over the arm and times it
 
 
-def test_half_of_the_balls_carry_as_in_textbooks(bearing_6205: Bearing) -> None:
-    """Fa = 1.216 Fr tan(alpha): half of the zone is loaded, the largest ball has 4.37 Fr/(Z cos alpha).
-
-    The textbook has one contact angle. With a steep free angle and a light load the angles hardly change; with few
-    balls the sum over them is not the integral.
-    """
-    angle, radial = np.radians(40.0), 30.0
-    steep = with_clearance(bearing_6205, 2 * bearing_6205.groove_centre_distance * (1 - np.cos(angle)))
-    axial = 1.216 * radial * np.tan(angle)
-    largest = [
-        float(ring_equilibrium(steep, SOLVED, axial_load=axial, radial_load_x=radial, **held).balls["load"].max())
-        * steep.ball_count * np.cos(angle) / radial
-        for held in ({"tilts": (0.0, 0.0)}, {})
-    ]  # fmt: skip
-    # The angle grows with the load of a ball, and nine balls are no integral: some per cent.
-    assert largest[0] == pytest.approx(STRIBECK, rel=0.03)
-    assert largest[1] > 2 * STRIBECK  # a ring that tilts freely hangs on few balls
-
-
 HELD: dict[str, Any] = {"axial_load": 310.0, "radial_load_x": 540.0, "radial_load_y": -170.0, "inner_speed": 900.0}
 
 
@@ -113,24 +92,6 @@ def test_the_moment_that_holds_a_ring_leaves_it_there_when_it_is_free(open_beari
         np.testing.assert_allclose(free.balls["load"][..., 0], held.balls["load"][..., 0], rtol=1e-8, atol=1e-7)
         scale = np.abs(held.stiffness).max()
         np.testing.assert_allclose(free.stiffness / scale, held.stiffness / scale, rtol=0, atol=1e-9)
-
-
-def test_a_ring_that_is_held_where_it_tilts_freely_needs_no_moment(open_bearing: Bearing) -> None:
-    free = ring_equilibrium(open_bearing, SOLVED, moment_x=0.0, moment_y=0.0, **HELD)
-    assert np.hypot(*free.displacement[3:]) > 1e-3
-    held = ring_equilibrium(open_bearing, SOLVED, tilts=tuple(free.displacement[3:]), **HELD)
-    np.testing.assert_allclose(held.moment, 0.0, rtol=0, atol=1e-7)  # of 10 N m that hold it straight
-    np.testing.assert_allclose(held.displacement, free.displacement, rtol=0, atol=1e-11)
-
-
-def test_under_thrust_a_straight_ring_loads_all_balls_alike_and_a_tilted_one_does_not(open_bearing: Bearing) -> None:
-    even, uneven = (ring_equilibrium(open_bearing, SOLVED, axial_load=470.0, tilts=(0.0, tilt)) for tilt in (0.0, 6e-4))
-    np.testing.assert_allclose(even.balls["load"][..., 0], even.balls["load"][..., 0][0], rtol=1e-12)
-    np.testing.assert_allclose(even.moment, 0.0, atol=1e-12)
-    assert (
-        np.ptp(uneven.balls["load"][..., 0]) > 0.03 * uneven.balls["load"][..., 0].mean()
-    )  # little: the ring moves aside
-    assert uneven.moment[1] > 0  # it tilts the ring that way
 
 
 def test_a_moment_beside_tilts_is_refused(open_bearing: Bearing) -> None:

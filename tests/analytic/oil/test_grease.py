@@ -74,31 +74,6 @@ def test_film_and_rolling_of_a_greased_bearing_are_starved_as_measured(scene: Sc
     np.testing.assert_allclose(parts["grease_film"], change, rtol=0.02)  # sliding changes a little too
 
 
-def test_the_law_follows_the_load_of_the_point(scene: Scene) -> None:
-    """Under a radial load the film is starved less, at every point of a series by its own load."""
-    operation = replace(scene.operation, axial_load=np.array([310.0, 0.0]), radial_load=np.array([0.0, 900.0]),
-                        inner_speed=np.full(2, 700.0))  # fmt: skip
-    both = friction_torque(replace(scene, operation=operation))
-    flooded = friction_torque(replace(scene, operation=operation, effects={"starvation": "off"}))
-    ratio = present(both.film.inner) / present(flooded.film.inner)
-    radial = 1.8 * (present(scene.lubricant).viscosity * 700.0 * entrainment(scene) / 0.022) ** -0.31
-    np.testing.assert_allclose(ratio[1], radial, rtol=5e-3)  # as above, at a heavier load
-    assert ratio[0] < 0.9 * ratio[1]
-
-
-def entrainment(scene: Scene) -> float:
-    """Of a radial contact, over the ring speed, m."""
-    orbit, ball = scene.bearing.pitch_diameter / 2, scene.bearing.ball_radius
-    return (orbit - ball) * (orbit + ball) / (2 * orbit)
-
-
-def test_other_bearings_and_supplies_keep_their_sources(scene: Scene) -> None:
-    steep = parse_scene(GREASED.replace('"6206"', '"7206 B"'), origin="here")
-    given = replace(scene, lubricant=replace(present(scene.lubricant), starvation_degree=1.7))
-    for other, words in ((steep, "replenishment factor of grease"), (given, "degree 1.7, given")):
-        assert words in friction_torque(other).provenance["inlets"]
-
-
 def test_a_size_that_was_not_measured_is_told(scene: Scene) -> None:
     large = parse_scene(GREASED.replace('"6206"', '"6215"'), origin="here")
     told = [warning for warning in friction_torque(large).warnings if "films with grease are extrapolated" in warning]

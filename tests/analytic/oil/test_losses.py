@@ -35,12 +35,6 @@ def bodies(oil: StirredOil = OIL) -> tuple[float, float, float]:
     return orbit, (SPEED - orbit) * (oil.pitch_diameter / 2 - arm) / (oil.ball_diameter / 2), centre
 
 
-def test_the_inner_race_runs_at_twice_the_speed_of_the_centres() -> None:
-    orbit, _, centre = bodies()
-    np.testing.assert_allclose(OIL.ball_rate * SPEED, centre, rtol=1e-14)
-    np.testing.assert_allclose(centre / (OIL.pitch_diameter / 2), orbit, rtol=1e-14)
-
-
 def test_oil_that_flows_through_takes_momentum_from_the_inner_race() -> None:
     """The force that gives its momentum to the oil acts at the speed of the inner race."""
     centre = bodies()[2]
@@ -129,12 +123,9 @@ def test_a_land_lies_on_its_ring(scene: Scene) -> None:
     inner, outer = "the bore 30 mm and below the pitch diameter 46", "the pitch diameter 46 mm and below the outside"
     cases: tuple[tuple[Scene, Literal["inner", "outer"], float, str], ...] = (
         (scene, "inner", 0.2, f"losses.land.diameter = 200 mm is not on the inner ring; give one above {inner} mm"),
-        (scene, "inner", 3.8e-3, inner),
-        (scene, "inner", 47e-3, inner),
         (scene, "outer", 45e-3, outer),
         (scene, "outer", 63e-3, outer),
         (unknown, "inner", 47e-3, "give one below the pitch diameter 46 mm"),
-        (unknown, "outer", 45e-3, "give one above the pitch diameter 46 mm"),
         (washers, "inner", 29e-3, "give one above the bore 30 mm and below the outside diameter 62 mm"),
     )
     for given, ring, diameter, words in cases:

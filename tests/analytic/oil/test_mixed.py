@@ -1,19 +1,72 @@
-"""The shared load: both equations that it solves, and its limits."""
+"""The shared load: both equations that it solves, its limits, a root in 40 digits, and digits of another program."""
 
 import hypothesis.strategies as st
+import mpmath
 import numpy as np
 import pytest
 from hypothesis import example, given
+from mpmath import mpf
 from scipy.optimize import brentq
 from scipy.special import erfc
 
-from analytic.oil.film import Inflow, asymptotes_of, log_film_of
-from analytic.oil.mixed import MOLECULAR_FILM, oil_beside
+from analytic.oil.film import Inflow, asymptotes_of, central_film, log_film_of
+from analytic.oil.mixed import MOLECULAR_FILM, MixedContact, mixed_contact, oil_beside
+from analytic.scene import Array, AsperityLaw, Autocorrelation, Surface
 from analytic.surface.asperity import asperity_contact
-from analytic.surface.gap import SMOOTH_GAP, GapNumbers
+from analytic.surface.asperity_table import separation_of
+from analytic.surface.gap import SMOOTH_GAP, GapNumbers, gap_law
+from analytic.surface.moments import Summits
+from analytic.surface.roughness import gap_roughness
 from analytic.surface.truncated_gap import log_mean_gap
-from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, H, area, mixed, rough, smooth_film, summits_of
 from tests.analytic.specimens import hertzian
+from tests.contacts import STEEL
+from tests.validation.hard.lubrication_exact import film, log_over_summits, mean_gap
+
+E, H = 113.187e9, 7.8e9  # Pa
+CONTACT = {
+    "curvature_rolling": 310.0,
+    "curvature_transverse": 14.7,
+    "load": 613.0,
+    "modulus": E,
+    "entrainment_speed": 0.37,
+}
+OIL = {"viscosity": 0.061, "pressure_viscosity": 2.1e-8}
+ACCURACY = 2e-8  # of the share: 1e-8 of the table, twice where both of its splines take part
+
+
+def finish(sq: float, length: float = 60e-6, asperities: AsperityLaw = "zhao_maietta_chang") -> Surface:
+    """Two surfaces of this roughness against each other, that are cut off where they overlap."""
+    correlation = Autocorrelation(kind="gaussian", length=length, spacing=length / 30)
+    return Surface(rms_roughness=sq, autocorrelation=correlation, hardness=H, gap="truncated", asperities=asperities)
+
+
+def rough(
+    sq: float, length: float = 60e-6, asperities: AsperityLaw = "zhao_maietta_chang", *, modulus: float = E
+) -> GapNumbers:
+    surface = finish(sq, length, asperities)
+    return gap_law(surface, gap_roughness(surface), modulus=modulus, bodies=(STEEL, STEEL))
+
+
+def summits_of(sq: float) -> Summits:
+    return gap_roughness(finish(sq)).summits
+
+
+def area(load: float = 613.0) -> float:
+    contact, _ = hertzian(CONTACT | {"load": load})
+    return float(np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse)
+
+
+def mixed(gap: GapNumbers, **changed: object) -> MixedContact:
+    contact, rest = hertzian(CONTACT | OIL | changed)
+    factors = {name: rest.pop(name) for name in ("film_factor", "pressure_factor", "share_step") if name in rest}
+    inflow = Inflow(rest.pop("entrainment_speed"), **rest)
+    return mixed_contact(contact, asymptotes_of(contact, inflow), gap, **factors)
+
+
+def smooth_film(**changed: object) -> Array:
+    contact, rest = hertzian(CONTACT | OIL | changed)
+    return central_film(contact, **rest).thickness
+
 
 loads, speeds = (st.floats(a, b).map(lambda power: 10.0**power) for a, b in ((-9, 5), (-9, 2)))
 roughnesses = st.sampled_from([3e-9, 0.04e-6, 0.3e-6, 1.1e-6, 7e-6])  # each costs a table
@@ -83,9 +136,6 @@ def test_standstill_is_the_limit_of_slow_running() -> None:
     assert np.all(np.diff(slow.asperity_share) >= 0)
     for name in ("asperity_share", "boundary_share", "film_thickness", "area_fraction"):
         np.testing.assert_allclose(getattr(slow, name)[-1], getattr(still, name), rtol=1e-12)
-    np.testing.assert_allclose(
-        oil_beside(slow)[0][-1], (1 - still.area_fraction) * still.film_thickness / 1e-9, rtol=1e-3
-    )
     heated = mixed(gap, film_factor=0.0)
     assert heated.without_film
     assert heated.film_thickness == still.film_thickness
@@ -95,55 +145,26 @@ def test_standstill_is_the_limit_of_slow_running() -> None:
     assert (wall.boundary_share, *oil_beside(wall)) == (1, 0, 0)
 
 
-def test_oil_shears_beside_the_asperities_alone() -> None:
-    found = mixed(rough(0.4e-6, 20e-6), entrainment_speed=np.array([1e-4, 1e-2, 1.0]))
-    area_fraction, h, (sheared, thickness) = found.area_fraction, found.film_thickness, oil_beside(found)
-    assert np.all(area_fraction > 0.05)
-    np.testing.assert_allclose(sheared, (1 - area_fraction) * (1 - np.exp(-h / 1e-9)), rtol=1e-12)
-    np.testing.assert_allclose(thickness * (1 - area_fraction), h, rtol=1e-14)  # the same volume
-    assert sheared[0] < 0.9 * sheared[-1]
-    full = mixed(rough(0.05e-6, 300e-6), load=3000.0, entrainment_speed=0.0)
-    assert full.area_fraction == 1
-    assert oil_beside(full) == (0, 0)
-
-
 @pytest.mark.parametrize("sq", [0.2e-6, 0.6e-6])
 def test_a_step_leads_to_the_measured_share(sq: float) -> None:
     """Of friction in a ball-on-disc rig, erfc(lambda/2); the power between is that of the ratio of both shares."""
     gap, speeds = rough(sq), np.geomspace(1e-6, 2.0, 60)
     own = mixed(gap, entrainment_speed=speeds)
     assert np.all(own.asperity_share > 0)
-    film_ratio = smooth_film(entrainment_speed=speeds) / gap.truncated.deviation
-    shares = {step: mixed(gap, entrainment_speed=speeds, share_step=step) for step in (-7.0, -1.0, -0.3, 0.4, 1.0, 7.0)}
-    wanted = erfc(film_ratio / 2)
-    np.testing.assert_allclose(shares[1.0].asperity_share, wanted, rtol=1e-12)  # round-off of the film's logarithm
+    wanted = erfc(smooth_film(entrainment_speed=speeds) / gap.truncated.deviation / 2)
+    powers = np.minimum(own.asperity_share**0.6 * wanted**0.4, 1.0)
+    shares = {step: mixed(gap, entrainment_speed=speeds, share_step=step) for step in (-7.0, -1.0, 0.4, 1.0, 7.0)}
     for step, found in shares.items():
         # The film and the area that asperities touch are those of the gap.
         np.testing.assert_array_equal(found.film_thickness, own.film_thickness)
         np.testing.assert_array_equal(found.area_fraction, own.area_fraction)
-        assert np.all((found.asperity_share >= 0) & (found.asperity_share <= 1))
         assert np.all(np.diff(found.asperity_share) <= 0), step  # with the speed
-        boundary = found.asperity_share + (1 - found.asperity_share) * np.exp(-own.film_thickness / MOLECULAR_FILM)
-        np.testing.assert_allclose(found.boundary_share, boundary, rtol=1e-15)
-    powers = np.minimum(own.asperity_share**0.6 * wanted**0.4, 1.0)
-    np.testing.assert_allclose(shares[0.4].asperity_share, powers, rtol=1e-12)
+    for step, expected in ((1.0, wanted), (0.4, powers)):
+        np.testing.assert_allclose(
+            shares[step].asperity_share, expected, rtol=1e-12
+        )  # round-off of the film's logarithm
     np.testing.assert_array_equal(shares[7.0].asperity_share, shares[1.0].asperity_share)  # no law is beyond
     np.testing.assert_array_equal(shares[-7.0].asperity_share, shares[-1.0].asperity_share)
-    above = np.stack([found.asperity_share for found in shares.values()])[:, wanted > own.asperity_share]
-    assert np.all(np.diff(above, axis=0) >= 0)  # with the step
-
-
-def test_both_laws_of_the_share_have_the_same_limits() -> None:
-    gap = rough(0.4e-6)
-    for step in (-1.0, 0.5, 1.0):
-        still = mixed(gap, entrainment_speed=0.0, share_step=step)
-        assert still.asperity_share == still.boundary_share == 1
-        slow = mixed(gap, entrainment_speed=1e-200, share_step=step)
-        np.testing.assert_allclose(slow.asperity_share, 1.0, rtol=1e-12)
-        # A film of 20 rms heights: what a power of the ratio leaves of a share below 1e-40.
-        assert mixed(gap, entrainment_speed=1e4, share_step=step).asperity_share < 1e-15
-        assert mixed(SMOOTH_GAP, entrainment_speed=0.3, share_step=step).asperity_share == 0
-        assert mixed(gap, load=0.0, share_step=step).asperity_share == 0
 
 
 def test_without_load_nothing_is_shared() -> None:
@@ -153,34 +174,6 @@ def test_without_load_nothing_is_shared() -> None:
     np.testing.assert_array_equal(found.boundary_share[:, 0], [0, 1])
     assert found.capped[0, 0]
     np.testing.assert_allclose(found.film_thickness[0, 0], 1 / (310 + 14.7), rtol=1e-14)
-
-
-def test_a_factor_thins_the_film() -> None:
-    gap = rough(0.2e-6)
-    cold, warm = mixed(gap), mixed(gap, film_factor=0.7)
-    assert warm.asperity_share > cold.asperity_share
-    share = float(warm.asperity_share)
-    film = smooth_film(load=613.0 * (1 - share), modulus=E * (1 - share))
-    np.testing.assert_allclose(warm.film_thickness, 0.7 * film, rtol=1e-12)
-
-
-def test_a_pocket_keeps_the_film_within_its_clearance() -> None:
-    """A circular, conformal contact under light load, where the formula gives more than the clearance."""
-    ball, pocket, gap = 3.97e-3, 4.07e-3, 0.05e-3
-    curvature = 1 / ball - 1 / pocket
-    given = {
-        "curvature_rolling": curvature,
-        "curvature_transverse": curvature,
-        "modulus": 2.3e9,
-        "entrainment_speed": 0.6,
-    }
-    found = mixed(rough(0.8e-6, modulus=2.3e9), load=np.array([0.01, 28.0]), largest_gap=gap, **given)
-    assert found.capped.tolist() == [True, False]
-    np.testing.assert_allclose(found.film_thickness[0], gap, rtol=1e-14)
-    assert found.film_thickness[1] < gap
-    tight = mixed(rough(25e-6), load=3.0, largest_gap=2e-6)  # rougher than the clearance
-    assert tight.asperity_share == 1
-    assert tight.capped
 
 
 @given(share=st.floats(-30, -1e-6), speed=speeds, load=loads)
@@ -198,3 +191,57 @@ def test_the_shared_film_is_that_of_less_load_between_softer_bodies(share: float
     np.testing.assert_allclose(slope, (beyond - before) / (2 * step), atol=1e-8)  # round-off of 1e-14 over the step
     full = film._replace(clearance=log_h - 0.1)
     assert log_film_of(full, share) == (full.clearance, 0.0)  # it cannot grow
+
+
+def film_of(share: mpf, given: dict[str, float]) -> mpf:
+    """Of the load F (1 - s) and the modulus E* (1 - s)."""
+    names = {
+        "along": "curvature_rolling",
+        "across": "curvature_transverse",
+        "load": "load",
+        "modulus": "modulus",
+        "speed": "entrainment_speed",
+        "alpha": "pressure_viscosity",
+    }
+    return film(**{name: given[key] for name, key in names.items()}, borne=1 - share)
+
+
+@pytest.mark.parametrize(
+    ("sq", "changed"),
+    [
+        (0.1e-6, {}),  # a small share
+        (0.016e-6, {}),  # 1e-11 or so
+        (0.6e-6, {"entrainment_speed": 3e-5}),  # most of the load
+        (0.3e-6, {"entrainment_speed": 1e-9, "load": 3.7}),  # all but 1e-6 of it
+    ],
+)
+def test_the_root_of_the_printed_equations_in_40_digits(sq: float, changed: dict[str, float]) -> None:
+    """The unknown is the separation of the mean planes, from which everything follows without an inverse."""
+    gap, given = rough(sq), CONTACT | OIL | changed
+    found = mixed(gap, **changed)
+    log_pressure = np.log(found.asperity_share * given["load"] / area(given["load"]))
+    start, slope = (float(part) for part in separation_of(gap.cubics, gap.truncated.summits, log_pressure))
+    step = -0.1 * slope * (1 - float(found.asperity_share))  # a tenth of 1 - s
+    with mpmath.workdps(40):
+        nominal, summits = mpf(area(given["load"])), summits_of(sq)
+        of = tuple(
+            mpf(float(each))
+            for each in (summits.density, summits.radius, summits.height_deviation, summits.mean_height)
+        )
+
+        def share(d: mpf) -> mpf:
+            return mpmath.exp(log_over_summits((d - of[3]) / of[2], of, modulus=E)) * nominal / given["load"]
+
+        def excess(d: mpf) -> mpf:
+            return mpmath.log(mean_gap(d, mpf(gap.truncated.deviation)) / film_of(share(d), given))
+
+        with mpmath.workdps(20):
+            d = mpmath.findroot(excess, (start + step, start + step / 2), solver="secant", tol=1e-24)
+        exact = share(d)
+        thickness = film_of(exact, given)
+        remaining = float(1 - exact)
+    np.testing.assert_allclose(float(found.asperity_share), float(exact), rtol=ACCURACY)
+    np.testing.assert_allclose(float(found.film_thickness), float(thickness), rtol=ACCURACY)
+    # The splines' error in the gap is that of the film, which grows at least as (1 - s)^-1/2; round-off of 1 - s.
+    if remaining < 0.5:
+        np.testing.assert_allclose(1 - found.asperity_share, remaining, rtol=2 * ACCURACY, atol=1e-15)

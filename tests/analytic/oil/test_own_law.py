@@ -9,10 +9,9 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from analytic.free_ball.stress import Shear, flow_at, sheared_by_own, yielding_by_own
 from analytic.oil.law_table import flow_of, kept_table, law_address, rate_of
 from analytic.oil.own_law import ACCURACY, own_traction
-from analytic.oil.traction import PointLaw, oil_shear_stress, stress_and_slope
+from analytic.oil.traction import oil_shear_stress
 from analytic.oil.viscosity import oil_numbers
 from tests.analytic.specimens import OIL
 from tests.refusals import refused
@@ -77,53 +76,10 @@ def test_eyrings_law_as_a_users_law_is_the_built_in_one() -> None:
     np.testing.assert_array_equal(oil_shear_stress(oil_numbers(own), **dry), oil_shear_stress(oil_numbers(OIL), **dry))
 
 
-def test_a_newtonian_oil_shears_by_its_viscosity_up_to_the_limit() -> None:
-    """Without pressure-viscosity eta v/h, whatever the scale of the stress."""
-    for scale in (1e6, 7e6):
-        oil = replace(OIL, traction=own_traction("newton", LAWS["newton"]), pressure_viscosity=0.0, eyring_stress=scale)
-        speed = np.array([0.0, 1e-3, 0.4, 300.0])
-        found = oil_shear_stress(oil_numbers(oil), pressure=0.4e9, speed=speed, film_thickness=0.2e-6)
-        np.testing.assert_allclose(found, np.minimum(0.043 * speed / 0.2e-6, 0.06 * 0.4e9), rtol=1e-12)
-
-
 def test_oil_without_a_film_shears_at_the_most_that_its_law_gives() -> None:
     oil = replace(OIL, traction=own_traction("exponential", LAWS["exponential"]))
     found = oil_shear_stress(oil_numbers(oil), pressure=[1.3e9, 2e7], speed=0.2, film_thickness=0.0)
     np.testing.assert_allclose(found, [4.7e6, 0.06 * 2e7], rtol=ACCURACY)
-
-
-@each_law
-def test_a_creeping_point_by_a_search(name: str) -> None:
-    """g + compliance T(g) = reach with T of `stress_and_slope`, of a point under its pressure; and its slope."""
-    random, law = np.random.default_rng(5), law_address(own_traction(name, LAWS[name]))
-    sticks = flows = yields = 0
-    for _ in range(200):
-        pressure, eyring = 10 ** random.uniform(7, 9.3), 10 ** random.uniform(6, 7)
-        fluidity = 10 ** random.uniform(2, 12)
-        point = PointLaw(boundary=0.01, limit=0.05, eyring=eyring, fluidity=fluidity, share=0.9, own=law)
-        eyring, flow, most = flow_at(point, pressure)
-        shear = Shear(0.01 * pressure, 0.05 * pressure, eyring, flow, most)
-        compliance, whole = 10 ** random.uniform(-18, -12), stress_and_slope(point, pressure, 1e3)[0]
-        reach = compliance * whole * 10 ** random.uniform(-2, 1)
-        stress, slope = sheared_by_own(reach, compliance, shear, law)
-
-        given = point, pressure, compliance, reach
-
-        def left(slip: float, given: tuple[PointLaw, float, float, float] = given) -> float:
-            point, pressure, compliance, reach = given
-            return slip + compliance * stress_and_slope(point, pressure, slip)[0] - reach
-
-        if reach <= compliance * 0.01 * pressure:
-            sticks += 1
-            assert stress == pytest.approx(reach / compliance, rel=1e-12)
-            continue
-        slip = brentq(left, 0.0, reach, xtol=1e-300, rtol=1e-15)
-        expected, steepness = stress_and_slope(point, pressure, slip)
-        flows, yields = flows + (steepness > 0), yields + (steepness == 0)
-        assert stress == pytest.approx(expected, rel=1e-8)  # the search ends in the slip
-        assert yielding_by_own(slip, shear, law)[0] == pytest.approx(expected, rel=1e-9)
-        assert slope == pytest.approx(steepness / (1 + compliance * steepness), rel=1e-6, abs=1e-9 / compliance)
-    assert min(sticks, flows, yields) > (5 if name != "exponential" else 0)
 
 
 MISTAKES: dict[str, tuple[Law, tuple[str, ...]]] = {

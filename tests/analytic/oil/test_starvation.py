@@ -57,14 +57,6 @@ def test_the_degree_comes_back_from_what_it_leaves_of_rolling(degree: float) -> 
     np.testing.assert_allclose(back, there, rtol=1e-13 / (degree - 1) + 1e-12)  # as above
 
 
-def test_less_oil_leaves_less_and_none_leaves_nothing() -> None:
-    found = np.array([starved_by_degree(CONTACT, m, FILM, AHEAD, LENGTH)[1:] for m in (1.0, 1.1, 1.7, 2.9, 11.0, 30.0)])
-    np.testing.assert_array_equal(found[0], 0.0)
-    assert np.all(np.diff(found[:, 1]) > 0)
-    assert np.all(np.diff(found[:, 0]) >= 0)
-    np.testing.assert_array_equal(found[-1], 1.0)  # beyond the oil of a flooded inlet
-
-
 def test_the_film_begins_to_thin_at_the_distance_of_the_fit() -> None:
     begins = 1 + 3.06 * (RADIUS * FILM / A**2) ** 0.58
     assert film_factor(CONTACT, begins * (1 + 1e-9), FILM) == 1
@@ -80,14 +72,6 @@ def test_oil_that_ends_within_the_contact_leaves_nothing(ahead: float) -> None:
     assert starved_by_factor(CONTACT, 0.8, FILM, ahead, LENGTH) == (1.0, 0.0, 0.0)
     edge = starved_by_degree(CONTACT, np.inf, FILM, A * (1 + 1e-9), LENGTH)
     assert edge.film_factor == pytest.approx((1e-9 / 0.4) ** 0.29, rel=0.1)  # m* - 1 is 0.44 here
-
-
-def test_no_degree_reaches_beyond_the_supply() -> None:
-    most = 1.2
-    beyond = starved_by_degree(CONTACT, 7.0, FILM, most * A, LENGTH)
-    within = starved_by_degree(CONTACT, most * (1 - 1e-12), FILM, most * A, LENGTH)
-    np.testing.assert_allclose(beyond[1:], within[1:], rtol=1e-10)  # the meniscus is at the end of the supply in both
-    assert beyond.film_factor < 0.9
 
 
 def test_without_load_or_film_the_inlet_is_flooded() -> None:

@@ -18,10 +18,8 @@ from analytic.oil.traction import (
     mixed_traction,
     oil_shear_stress,
     stress_and_slope,
-    thickened,
 )
-from analytic.oil.viscosity import oil_numbers, thickening_at
-from analytic.scenefile.parts import lubricant
+from analytic.oil.viscosity import oil_numbers
 from analytic.surface.gap import gap_law
 from analytic.surface.roughness import gap_roughness
 from tests.analytic import specimens
@@ -84,36 +82,6 @@ def test_an_oil_that_does_not_thicken_is_newtonian_up_to_its_limit() -> None:
     viscosity = oil_numbers(OIL).viscosity
     np.testing.assert_allclose(shear(0.9e9, 1e-5, 0.2e-6, **thin), viscosity * 1e-5 / 0.2e-6, rtol=1e-12)
     np.testing.assert_allclose(shear(0.9e9, 1e4, 0.2e-6, **thin), 0.06 * 0.9e9, rtol=1e-15)
-
-
-def test_the_kinds_of_oil_are_in_the_measured_order() -> None:
-    """Naphthenic above paraffinic above PAO at equal pressure, temperature and slip: Mann's tests in [Arana2019]."""
-    pressures, speeds = np.array([0.7e9, 1e9, 1.9e9]), np.array([[3e-3], [0.08], [0.9]])
-    order = [
-        oil_shear_stress(
-            oil_numbers(lubricant(name, temperature=temperature)),
-            pressure=pressures,
-            speed=speeds,
-            film_thickness=0.4e-6,
-        )
-        for name in ("N100", "M100", "PAO100")
-        for temperature in (313.15, 333.15, 363.15)
-    ]
-    naphthenic, mineral, synthetic = (np.stack(order[first : first + 3]) for first in (0, 3, 6))
-    assert np.all(naphthenic >= mineral)
-    assert np.all(mineral > synthetic)
-
-
-def test_the_printed_numbers_of_m100() -> None:
-    """[Arana2019] at 60 degC and 1 GPa: A + B p of table 2 is 76.5 MPa, so alpha is 13.1 1/GPa and tau_E 7.2 MPa."""
-    oil = oil_numbers(lubricant("M100", temperature=333.15))
-    law = law_of_oil(oil, 0.0, 1.0, 1.0, 1e-6)
-    assert thickened(law, 1e9).eyring == pytest.approx(2 * 0.047 * 76.5e6, rel=1e-3)  # digits of 76.5
-    # K exp(C/(D + T)) exp(p/(A + B p)) at 0.785 GPa is 1.88 kPa s; the viscosity of the catalog at ambient pressure
-    # goes through the printed ones at 40 and 100 degC and is 4 % larger at 60.
-    alpha = oil.pressure_viscosity
-    growth, _ = thickening_at(alpha, oil.rise * alpha, oil.exponent, 0.785e9)
-    assert oil.viscosity * np.exp(growth) == pytest.approx(1.88e3, rel=0.05)
 
 
 def test_a_constant_stress_depends_on_nothing_and_without_a_film_oil_shears_at_its_limit() -> None:

@@ -108,13 +108,6 @@ def test_only_a_bath_has_oil_around_them(scene: Scene, supply: Supply) -> None:
     )
 
 
-def test_under_thrust_every_ball_carries(scene: Scene) -> None:
-    thrust = replace(scene.operation, axial_load=np.array([400.0]), radial_load=np.zeros(1))
-    found = friction_torque(replace(scene, operation=thrust))
-    effect = {each.name: each for each in found.effects}["unloaded_balls"]
-    assert (effect.decision, effect.reason) == ("off", "every ball carries load")
-
-
 def test_rolling_does_not_jump_where_a_ball_is_barely_pressed(scene: Scene) -> None:
     """Centrifugal force presses the balls out of the load on the outer race, from nothing on: their mass varies."""
     pressed = replace(scene, effects={**scene.effects, "centrifugal": "on"})

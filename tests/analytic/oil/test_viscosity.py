@@ -1,6 +1,5 @@
 """Roelands' viscosity against the printed formula in 40 digits and the slopes that define its constants."""
 
-from functools import partial
 from typing import Any
 
 import hypothesis.strategies as st
@@ -10,7 +9,6 @@ from hypothesis import given
 
 from analytic.oil.viscosity import oil_numbers, roelands_viscosity
 from analytic.scene import Lubricant
-from tests.refusals import refused, refuses
 
 ETA, ALPHA, BETA, T0 = 0.061, 2.1e-8, 0.043, 311.0
 OIL: dict[str, Any] = {
@@ -64,11 +62,3 @@ def test_the_oil_at_the_inlet() -> None:
     np.testing.assert_allclose(found.viscosity_temperature, -float(by_temperature), rtol=1e-9)
     assert found.pressure_viscosity < ALPHA
     assert found.viscosity < ETA
-
-
-def test_nonsense_is_refused() -> None:
-    refused(lambda: viscosity(-1.0, 300.0), "pressure")
-    for temperature in (138.0, 40.0, np.nan):
-        refused(lambda: viscosity(1e9, temperature), "temperature")  # noqa: B023
-    refuses(partial(viscosity, 1e9, 300.0), reference_temperature=100.0, viscosity=6e-5, pressure_viscosity=-1e-8)
-    refuses(partial(viscosity, 1e9, 300.0), viscosity=-0.06, viscosity_temperature=-0.04)

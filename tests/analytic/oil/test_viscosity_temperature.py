@@ -93,21 +93,6 @@ def test_the_cold_line_is_as_uncertain_as_other_laws_say(temperature: float) -> 
     assert 0.2 * found.deviation(temperature + ZERO) < error < 2 * found.deviation(temperature + ZERO)
 
 
-@pytest.mark.parametrize(
-    ("points", "cold"),  # mm2/s at 40 and 100 degC, and at -40 degC: makers' values of PAO, from memory
-    [((19.0, 4.1), 2900.0), ((31.0, 5.8), 7800.0), ((48.0, 8.0), 19000.0), ((66.0, 10.0), 39000.0)],
-)
-def test_the_cold_line_of_synthetic_oils_lies_within_its_uncertainty(points, cold: float) -> None:
-    found = line(((40.0, points[0]), (100.0, points[1])))
-    error = abs(math.log(found.kinematic_viscosity(-40 + ZERO) / (cold * MM2)))
-    assert error < 2 * found.deviation(-40 + ZERO)
-
-
-def test_between_its_points_and_above_them_the_line_has_no_uncertainty_of_its_own() -> None:
-    found = line(THICK)
-    assert [found.deviation(t + ZERO) for t in (40.0, 70.0, 140.0)] == [0.0, 0.0, 0.0]
-
-
 def test_the_line_is_refused_far_beyond_its_points() -> None:
     reach = line(THICK)
     assert (reach.coldest, reach.hottest) == pytest.approx((-40 + ZERO, 140 + ZERO))

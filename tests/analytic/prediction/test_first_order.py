@@ -1,13 +1,12 @@
 """The interval to first order: against a law whose interval is known, and against samples."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
 
 from analytic.oil.variation import Variation
-from analytic.prediction.first_order import first_order_ends
+from analytic.prediction.first_order import end_factors, first_order_ends
 from analytic.prediction.prediction import predict
 from analytic.scene import Array, Scene
 from analytic.scenefile.read import load_scene
@@ -91,18 +90,13 @@ def test_the_interval_does_not_jump_over_the_temperature() -> None:
         np.testing.assert_allclose(below - here, here - above, atol=2e-3)
 
 
-def test_the_interval_of_a_catalogue_bearing_contains_tight_and_wide_grooves() -> None:
-    """The tightest printed pair, those of a usual design, and the widest that ratings assume."""
-    given: dict[str, Any] = {
-        "radial_load": "2 kN",
-        "speed": "1500 rpm",
-        "oil": "ISO VG 46",
-        "temperature": "70 degC",
-    }
-    nominal = friction_torque(scene := load_scene("6206", **given))
-    ends = first_order_ends(scene, nominal)
-    assert ends is not None
-    for inner, outer in ((0.5177, 0.5177), (0.515, 0.525), (0.52, 0.53)):
-        settings = {"bearing.inner.conformity": inner, "bearing.outer.conformity": outer}
-        total = friction_torque(load_scene("6206", settings=settings, **given)).torque.total
-        assert np.all((ends[0] < total) & (total < ends[1])), (inner, outer)
+def test_independent_inputs_add_their_squares_at_the_end_that_they_move() -> None:
+    """One moves both ends, one the upper end alone; what both ends of an input raise counts once."""
+    base = np.array([2.0, 3.0])
+    both = base * np.exp([[-0.3, -0.1], [0.3, 0.2]])
+    up = base * np.exp([[0.4, 0.05], [0.1, 0.02]])
+    expected = np.exp([[-0.3, -0.1], [0.5, np.hypot(0.2, 0.05)]])
+    np.testing.assert_allclose(end_factors(base, [both, up]), expected, rtol=1e-12)
+    np.testing.assert_allclose(end_factors(base, [both[::-1], up]), expected, rtol=1e-12)
+    nothing = end_factors(np.array([0.0, 3.0]), [np.array([[0.0, 1.5], [1.0, 0.0]])])
+    np.testing.assert_allclose(nothing, [[1.0, 0.5], [1.0, 1.0]], rtol=1e-12)

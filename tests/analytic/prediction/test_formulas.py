@@ -70,15 +70,3 @@ def test_measured_friction_adds_to_a_6206_what_another_code_says() -> None:
     upper = found.torque.total * end_factors(ends.base, [ends.moved["model.gap"]])[1]
     # The end of 95 % is at 0.98 of the way of a step of 1.
     np.testing.assert_allclose(upper - found.torque.total, added, rtol=0.1)
-
-
-def test_smooth_oil_of_constant_stress_does_not_care() -> None:
-    scene = load_scene(SCENES / "6205_paper_calibrated.toml")
-    assert scene.surface is not None
-    smooth = replace(scene, surface=replace(scene.surface, rms_roughness=0.0))
-    plain = friction_torque(smooth)
-    parts = present(with_model_uncertainty(smooth, plain).model_parts)
-    # But for the molecules of a film: of the load e^-h meets 0.035, and of the stress's share as much is lost.
-    thin = np.exp(-2 * FORMULA_UNCERTAINTY) * np.minimum(present(plain.film.inner), present(plain.film.outer)) / 1e-9
-    assert np.all(parts["film"] <= 20 * np.exp(-thin))
-    assert parts["film"][-1] < 1e-9

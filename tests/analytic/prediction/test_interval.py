@@ -2,13 +2,12 @@
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.special import ndtri
 from scipy.stats import norm, qmc
 
 from analytic.prediction.indices import indices_of
 from analytic.prediction.interval import interval_of, least_samples, normal_points
-from analytic.prediction.regression import GROUPS, regression_of
+from analytic.prediction.regression import regression_of
 from analytic.scene import Array
 
 INPUTS, COUNT = 5, 256
@@ -105,30 +104,6 @@ def test_the_errors_of_the_indices_hold_in_repeated_samples() -> None:
     # The scatter of 12 is known to 21 %; the jackknife of 16 groups is known to about as much.
     ratio = errors.mean(axis=0) / totals.std(axis=0, ddof=1)
     assert np.all((ratio > 0.5) & (ratio < 3))
-
-
-def test_what_is_left_out_is_left_out_of_a_fit_of_its_own() -> None:
-    """Samples and groups, against least squares with the others alone; one quantity is fitted by its logarithm."""
-    z = scores(31, count=90)
-    values = np.stack([2.0 * z[:, 0] + 1.5 * z[:, 1] * z[:, 2], kinked(z)], axis=1)
-    regression = regression_of(z, values)
-    terms, fitted = regression.basis.at(z), np.stack([values[:, 0], np.log(values[:, 1])], axis=1)
-    assert regression.basis.squares
-
-    def through(others: NDArray[np.bool_]) -> Array:
-        return np.asarray(np.linalg.lstsq(terms[others], fitted[others])[0], dtype=np.float64)
-
-    for sample in (0, 17, 89):
-        alone = terms[sample] @ through(np.arange(90) != sample)
-        left_out = (regression.left_out[sample, 0], np.log(regression.left_out[sample, 1]))
-        np.testing.assert_allclose(left_out, alone, rtol=1e-9)  # rounding, at condition numbers below 100
-    points = scores(5, count=7)
-    repeated = regression.without_groups(z, values, np.array([1, 0]))(points.T).reshape(1 + GROUPS, 2, 7)
-    np.testing.assert_allclose(repeated[0][::-1].T, regression.at(points), rtol=1e-9)
-    for group in range(GROUPS):
-        expected = regression.basis.at(points) @ through(np.arange(90) % GROUPS != group)
-        np.testing.assert_allclose(repeated[1 + group, 1], expected[:, 0], rtol=1e-9, atol=1e-9)
-        np.testing.assert_allclose(repeated[1 + group, 0], np.exp(expected[:, 1]), rtol=1e-9)
 
 
 def test_what_does_not_vary_has_no_width() -> None:

@@ -176,12 +176,6 @@ def test_the_torque_is_the_power_lost_at_every_point(traction: str) -> None:
     np.testing.assert_allclose(found.torque, total, rtol=6e-4)  # a hundred cells across, kinks where slide turns
 
 
-def test_a_balanced_ball_feels_no_spin_moment() -> None:
-    found = running(rpm=[0.0, 90.0, 500.0], sq=0.3e-6, traction="eyring_sinh").friction()
-    np.testing.assert_allclose(found.inner.spin_moment, -found.outer.spin_moment, rtol=2e-5)  # 1e-5 of the share
-    np.testing.assert_allclose(found.inner.spin_rate - found.outer.spin_rate, np.sin(0.18), rtol=1e-14)
-
-
 @pytest.mark.parametrize("traction", ["eyring_constant", "eyring_sinh"])
 def test_a_coefficient_along_the_axis_belongs_to_its_own_speed(traction: str) -> None:
     case = running(rpm=[40.0, 400.0], sq=0.2e-6, traction=traction)
@@ -198,14 +192,6 @@ def test_a_coefficient_along_the_axis_belongs_to_its_own_speed(traction: str) ->
         power += mu * race.load * speed
     # Torque times w is the power, friction force times mean speed.
     np.testing.assert_allclose(found.torque * case.ring_speed, power, rtol=1e-12)
-
-
-def test_the_balance_of_spin_takes_few_sums() -> None:
-    """By Newton's slopes, 4 to 19 for both contacts; by halves of a bracket alone each would take dozens."""
-    oil = law_of_oil(oil_numbers(OIL), 0.11 * 0.21, 1 - 0.2, 0.9, 9e-8)
-    for law in (COULOMB, oil):
-        for spin in (1e-9, 0.01, 0.179, 0.4, 0.9):
-            assert 2 <= friction(pair(), law, spin_difference=spin).sums <= 24
 
 
 def test_standstill() -> None:

@@ -161,16 +161,6 @@ def test_the_balanced_spin_leaves_no_moment_and_loses_least(
     np.testing.assert_allclose(share, least.x, atol=1e-4)  # a flat minimum is found to the root of its value
 
 
-@pytest.mark.parametrize(("rule", "spinning"), [("outer_control", "inner"), ("inner_control", "outer")])
-def test_under_control_only_the_other_race_spins(bearing_6205: Bearing, rule: SpinRule, spinning: str) -> None:
-    found = torque(both_contacts(bearing_6205, angle=0.18), (0.1, 0.07), np.sin(0.18), rule)
-    still = "outer" if spinning == "inner" else "inner"
-    assert getattr(found, f"{still}_spin_rate") == 0
-    assert getattr(found, f"{still}_spin_moment") == 0
-    moment = abs(getattr(found, f"{spinning}_spin_moment"))
-    np.testing.assert_allclose(found.spin, moment * np.sin(0.18), rtol=1e-14)  # equation 10, round-off
-
-
 SIZES = st.one_of(st.just(0.0), st.floats(1e-9, 10.0))
 
 
@@ -201,20 +191,3 @@ def test_every_limit_is_finite_and_balanced_loses_least(
     if spin == 0:
         assert power(found["balanced"]) == power(found["inner_control"])
         assert found["balanced"].spin == 0
-
-
-def test_very_unlike_contacts_balance() -> None:
-    """Both roll, both spin in full, or one of each; a step outside the bracket would warn or be NaN."""
-    draw = np.random.default_rng(20)
-    count = 3000
-
-    def contact() -> tuple[np.ndarray, ContactNumbers]:
-        mu, load, half = (10 ** draw.uniform(low, high, count) for low, high in ((-2, 0), (0, 3), (-7, -2)))
-        return mu * load, rolling_contact(load=load, semi_axis_transverse=half)
-
-    (inner_force, inner), (outer_force, outer) = contact(), contact()
-    spin = draw.uniform(0.01, 1, count)
-    forces = inner_force, outer_force
-    found = microslip_torque((inner, outer), friction_force=forces, spin_difference=spin, spin_rule="balanced")
-    # Round-off of the share, times the ratio of the lengths: up to 1e5.
-    np.testing.assert_allclose(found.inner_spin_moment, -found.outer_spin_moment, rtol=1e-11)

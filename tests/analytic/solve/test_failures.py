@@ -21,7 +21,6 @@ GOOD = {"axial_load": 830.0, "radial_load": 0.0, "moment": 0.0, "inner_speed": 4
 @pytest.fixture(scope="module")
 def scene(bearing_6205: Bearing) -> Scene:
     return Scene(
-        name="failing",
         tolerance=0.03,
         bearing=bearing_6205,
         contact_angle=SOLVED,

@@ -19,7 +19,6 @@ LEVEL = 1  # of the nodes at all points that are compared
 def scene_of(bearing: Bearing, **operation: Array) -> Scene:
     """A dry scene with creep; what counts is not left to the points."""
     return Scene(
-        name="series",
         tolerance=0.01,
         bearing=bearing,
         contact_angle=ContactAngle(rule="solved", free=0.31),
@@ -41,15 +40,6 @@ def drawn(count: int, *, radial: bool) -> dict[str, Array]:
 
 def warm_model(scene: Scene) -> Model:
     return model_of(scene, COUNTED | {"creep": True}, free=True).with_numbers(level=LEVEL, allowed=np.inf, cold=False)
-
-
-@pytest.mark.parametrize(("count", "radial"), [(20, False), (8, True)])
-def test_a_series_agrees_with_its_points(bearing_6205: Bearing, count: int, radial: bool) -> None:
-    operation = drawn(count, radial=radial)
-    series = friction_torque(scene_of(bearing_6205, **operation)).torque.total
-    for i in range(0, count, 3):
-        alone = friction_torque(scene_of(bearing_6205, **{name: of[i : i + 1] for name, of in operation.items()}))
-        assert series[i] == pytest.approx(alone.torque.total[0], rel=1e-9)  # both begin by rule
 
 
 @pytest.mark.parametrize(("count", "radial"), [(20, False), (8, True)])

@@ -30,7 +30,6 @@ UNEQUAL: dict[str, Any] = {"axial_load": 640.0, "radial_load": 170.0, "moment": 
 def scene_of(bearing: Bearing = BEARING_6205, *, angle: ContactAngle = STEEP, **operation: Any) -> Scene:
     """A bearing with a coefficient of 0.07 and oil."""
     return Scene(
-        name="kernel",
         bearing=bearing,
         contact_angle=angle,
         operation=Operation(**operation).as_series(),
@@ -140,21 +139,6 @@ def test_forces_of_a_ball_are_compared_with_the_smaller_of_its_loads() -> None:
     np.testing.assert_allclose(point["weight_share"], np.max(bearing.ball_mass * STANDARD_GRAVITY / least), rtol=1e-12)
 
 
-def test_friction_that_could_hold_is_that_of_all_balls(unequal: Solution) -> None:
-    """Coulomb friction: the coefficient times the loads."""
-    np.testing.assert_allclose(
-        unequal.points["most_friction"][0], 0.07 * unequal.balls[0]["load"].sum(axis=0), rtol=1e-9
-    )
-
-
-def test_the_oil_s_force_times_twice_the_entrainment_is_the_power_of_rolling() -> None:
-    found = found_at(scene_of(axial_load=570.0, inner_speed=93.0), ROLLING)
-    point, motion = found.points[0], found.balls[0, 0]["motion"]
-    both = np.array([motion["inner_entrainment"], motion["outer_entrainment"]])
-    np.testing.assert_allclose(2 * np.sum(both * point["rolling_force"]), point["rolling"], rtol=1e-13)
-    assert np.all(point["rolling_force"] > 0)
-
-
 def test_spin_alone_is_the_pivoting_of_every_ball_on_its_inner_race() -> None:
     """3/8 mu Q b E(m), at the whole difference of spin where the outer race controls the balls."""
     found = found_at(scene_of(**UNEQUAL), {"spin": True, "load_distribution": True})
@@ -252,16 +236,6 @@ def test_unequal_loads_press_the_heaviest_ball_as_stribeck_has_it(factor: float,
     assert (point["status"] == THROWN) == (factor > 1)
 
 
-def test_a_thrust_the_other_way_is_no_missing_load() -> None:
-    """A thrust of 3000 N holds balls as well in both directions, beside a small radial load."""
-    counted = ROLLING | {"centrifugal": True}
-    both = found_at(scene_of(axial_load=np.array([3000.0, -3000.0]), radial_load=90.0, inner_speed=310.0), counted)
-    assert both.points["status"].tolist() == [SETTLED, SETTLED]
-    for name in ("spin", "conformity", "hysteresis", "rolling"):
-        first, mirrored = both.points[name]
-        assert mirrored == pytest.approx(first, rel=1e-9)
-
-
 def test_a_ball_on_the_outer_race_alone_does_not_come_off() -> None:
     """Its centrifugal force holds it there in the unloaded half of a bearing with clearance."""
     loads = {"axial_load": 0.0, "radial_load": 900.0, "inner_speed": 400.0}
@@ -331,19 +305,6 @@ def test_a_cage_at_rest_on_its_balls_is_that_beside_the_kernel(coefficient: floa
         np.testing.assert_allclose(resting_cage(BEARING_6205, tight).room, factor * lead, rtol=1e-9)
         found = found_at(replace(scene, cage=tight), counted).points[0]
         assert np.isnan(found["cage"]) == np.isnan(found["total"]) == is_squeezed
-
-
-def test_unknown_shoulders_lie_outside_the_fit_for_finite_geometry() -> None:
-    """Beside known ones contacts are corrected; the far end of what is not known is another torque."""
-    scene = scene_of(axial_load=570.0, inner_speed=93.0)
-    point = found_at(scene, {**ROLLING, "finite_geometry": True}).points[0]
-    assert (bool(point["beyond_fit"]), bool(point["fit_applied"])) == (False, True)
-    open_ = replace(BEARING_6205, inner=replace(BEARING_6205.inner, shoulder_half_width=None))
-    unknown = found_at(replace(scene, bearing=open_), {**ROLLING, "finite_geometry": True}).points[0]
-    assert bool(unknown["beyond_fit"])
-    plain = found_at(scene, ROLLING).points[0]
-    assert (bool(plain["beyond_fit"]), bool(plain["fit_applied"])) == (False, False)
-    assert plain["total"] != point["total"]
 
 
 def test_loads_of_no_thrust_are_told_apart(bearing_6205: Bearing) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.scene import STANDARD_GRAVITY, ContactAngle, Losses, Scene
-from analytic.solve.model import Counted, Model, first_level
+from analytic.solve.model import Model
 from analytic.solve.model import model_of as model_in
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, thrust
 
@@ -19,7 +19,6 @@ SCENE = Scene(
     surface=FINISH,
     losses=Losses(seals=3e-3, drag=0.8e-3),
 )
-ALL = dict.fromkeys(Counted._fields, True)
 DOWN = (0.48, -0.64, 0.6)
 
 
@@ -36,13 +35,3 @@ def test_weights_point_down_on_every_ball(down: Any) -> None:
     heavy, light = (model_of(replace(SCENE, down=down), {"weight": on}) for on in (True, False))
     np.testing.assert_allclose(heavy.balls["weight"], expected, rtol=1e-12, atol=1e-12 * weight)
     assert not np.any(light.balls["weight"])
-
-
-def test_a_model_with_other_numbers_leaves_the_first_one_alone() -> None:
-    model = model_of(SCENE, ALL)
-    other = model.with_numbers(level=3, allowed=0.02)
-    assert (int(other.numbers.level), float(other.numbers.allowed)) == (3, 0.02)
-    assert (int(model.numbers.level), float(model.numbers.allowed)) == (
-        first_level(SCENE.tolerance),
-        SCENE.tolerance / 2,
-    )

@@ -10,13 +10,6 @@ from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from analytic.solve.model import model_of
 from analytic.solve.solution import LEAST_SLICE, points_of, solved
 
-PARTS = {
-    "spin": [3.0, 0.0, 7.0],
-    "conformity": [0.5, 0.0, 1.1],
-    "hysteresis": [0.2, 0.0, 0.3],
-    "rolling": [2.0, 0, 5.0],
-}
-
 
 @pytest.fixture(scope="module")
 def scene(bearing_6205: Bearing) -> Scene:

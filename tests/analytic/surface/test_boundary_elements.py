@@ -5,7 +5,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Array, Autocorrelation
-from analytic.surface.boundary_elements import MISSED, PressedSurface, pressed
+from analytic.surface.boundary_elements import MISSED, pressed
 from analytic.surface.roughness import generated_surface
 
 POINTS = 2048  # along a wave
@@ -58,16 +58,6 @@ def test_a_wave_agrees_with_the_closed_solution(periodic: bool, half_width: floa
     assert state.area_fraction == pytest.approx(2 * half_width, abs=8 / POINTS)  # points at both rims
 
 
-@pytest.mark.parametrize("share", [1.0001, 3.0])
-def test_a_wave_is_flat_at_its_full_pressure(share: float) -> None:
-    heights = wave(periodic=True)
-    full = full_pressure(heights, periodic=True)
-    (state,) = pressed(heights, (share * full,), periodic=True)
-    assert state.area_fraction == 1
-    assert state.mean_gap == 0
-    assert np.ptp(state.pressure) == pytest.approx(2 * full, rel=1e-5)  # p* (1 + cos); no point lies on the crest
-
-
 @pytest.mark.parametrize("periodic", [True, False])
 def test_pressure_and_gap_are_those_of_a_contact(periodic: bool) -> None:
     """Balance, p g = 0, and a gap that is the height of the surface over the ground that the pressure has bent."""
@@ -114,31 +104,6 @@ def test_tamaas_agrees(mean: float, periodic: bool) -> None:
     gap = np.array(model.displacement) - surface
     assert state.mean_gap == pytest.approx(gap.mean() - gap[touching].mean(), rel=MISSED)
     assert state.area_fraction == pytest.approx(touching.mean(), rel=0.01)  # points at the rim of small contacts
-
-
-def states(heights: Array) -> list[PressedSurface]:
-    return list(pressed(heights, (0.4, 0.06), periodic=False))
-
-
-@pytest.mark.parametrize("change", [np.flipud, np.fliplr, np.transpose])
-def test_a_mirrored_surface_has_mirrored_fields(change) -> None:
-    heights = rough()[:, :100]
-    for mine, other in zip(states(heights), states(change(heights)), strict=True):
-        np.testing.assert_allclose(change(mine.gap), other.gap, atol=1e-9)  # round-off, amplified over the steps
-
-
-def test_scale_and_level_of_the_heights_do_not_matter() -> None:
-    heights = rough()
-    for mine, other in zip(states(heights), states(1e7 * heights + 4.0), strict=True):
-        np.testing.assert_allclose(other.gap, mine.gap, atol=1e-9)  # as above
-
-
-def test_the_order_of_pressures_does_not_matter() -> None:
-    """The start is another one; both stop at MISSED."""
-    heights = rough()
-    (alone,) = pressed(heights, (0.05,), periodic=True)
-    *_, last = pressed(heights, (0.9, 0.3, 0.05), periodic=True)
-    assert last.mean_gap == pytest.approx(alone.mean_gap, rel=MISSED)
 
 
 @pytest.mark.parametrize("heights", [np.zeros((40, 41)), np.full((40, 41), np.nan)])

@@ -59,12 +59,6 @@ def test_moments_of_two_surfaces_add_and_scale_with_the_heights() -> None:
     np.testing.assert_allclose(tall.mean_height, 2.5 * plain.mean_height, rtol=1e-14)
 
 
-def test_a_smooth_surface_has_no_summits() -> None:
-    computed = mccool_summits(GAUSSIAN.scaled(0.0))
-    assert (computed.density, computed.height_deviation, computed.mean_height) == (0, 0, 0)
-    assert computed.radius == np.inf
-
-
 def test_impossible_moments_are_refused() -> None:
     def moved(**changed: float) -> object:
         return mccool_summits(SpectralMoments(**({"height": SQ**2, "slope": 6e-4, "curvature": 2e6} | changed)))
