@@ -18,29 +18,6 @@ def run(script: str) -> list[str]:
     return done.stdout.splitlines()
 
 
-IMPORTS = """
-import importlib, pkgutil, sys, types
-
-for package in ("analytic", "fembearing"):  # without running their `__init__`
-    bare = types.ModuleType(package)
-    bare.__path__ = [package]
-    sys.modules[package] = bare
-for package in ("fembearing.mesh", "fembearing.fem"):
-    for part in pkgutil.iter_modules(importlib.import_module(package).__path__, package + "."):
-        importlib.import_module(part.name)
-        print(part.name)
-print(*sorted(name for name in sys.modules if name.startswith(("analytic.", "fembearing.check"))))
-"""
-
-
-def test_solver_and_meshes_load_only_the_nouns() -> None:
-    *parts, loaded = run(IMPORTS)
-    assert {"fembearing.fem.solution", "fembearing.fem.guess", "fembearing.mesh.bodies"} <= set(parts)
-    # The nouns with their units, words, and how files are read and written; none of them has a formula.
-    nouns = ("brief", "declared", "errors", "given", "quantity", "reading", "scene", "words", "writing")
-    assert loaded.split() == [f"analytic.{name}" for name in nouns]
-
-
 SOLVE = """
 import importlib, pkgutil, sys
 from dataclasses import astuple

@@ -2,18 +2,17 @@
 
 import numpy as np
 
-from analytic.scene import Contact
 from fembearing.fem.elasticity import lame_parameters
 from fembearing.fem.nodal_stress import stress_at_nodes, von_mises
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.recipe import load_recipe
-from tests.contacts import STEEL
+from tests.contacts import INNER, STEEL
 
 SLOPE = 1e-4 * np.array([[3.0, -1.2, 0.7], [0.4, -2.0, 1.9], [2.3, 0.6, 0.8]])  # du_i/dx_j
 
 
-def test_an_even_strain_has_its_stress_at_every_node(contacts: dict[str, Contact]) -> None:
-    pair = pair_mesh(contacts["inner"], recipe=load_recipe("race"), level=1, semi_axes=(0.11e-3, 0.83e-3))
+def test_an_even_strain_has_its_stress_at_every_node() -> None:
+    pair = pair_mesh(INNER, recipe=load_recipe("race"), level=1, semi_axes=(0.11e-3, 0.83e-3))
     lam, mu = lame_parameters(STEEL)
     strain = (SLOPE + SLOPE.T) / 2
     exact = 2 * mu * strain + lam * np.trace(strain) * np.eye(3)
@@ -24,9 +23,9 @@ def test_an_even_strain_has_its_stress_at_every_node(contacts: dict[str, Contact
         np.testing.assert_allclose(found, np.broadcast_to(wanted[:, None], found.shape), rtol=0, atol=1e-6 * mu * 1e-4)
 
 
-def test_a_strain_that_varies_evenly_is_exact_along_depth(contacts: dict[str, Contact]) -> None:
+def test_a_strain_that_varies_evenly_is_exact_along_depth() -> None:
     """u_x = c x z: the stress is linear, as its extrapolation to the nodes is."""
-    pair = pair_mesh(contacts["inner"], recipe=load_recipe("hertzian"), level=1, semi_axes=(0.11e-3, 0.83e-3))
+    pair = pair_mesh(INNER, recipe=load_recipe("hertzian"), level=1, semi_axes=(0.11e-3, 0.83e-3))
     mesh, slope = pair.lower.mesh, 0.3  # 1/m
     x, _, z = mesh.doflocs
     lam, mu = lame_parameters(STEEL)

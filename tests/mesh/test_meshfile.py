@@ -9,25 +9,25 @@ import pytest
 import pyvista
 
 from analytic.errors import InputError, StorageError
-from analytic.scene import Contact
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.meshfile import read_body, write_body
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.recipe import load_recipe
+from tests.contacts import OUTER
 
 SEMI_AXES = 0.11e-3, 0.83e-3  # m
 
 
-def bodies(contacts: dict[str, Contact], recipe: str, level: int = 2) -> tuple[BodyMesh, BodyMesh]:
-    pair = pair_mesh(contacts["outer"], recipe=load_recipe(recipe), level=level, semi_axes=SEMI_AXES)
+def bodies(recipe: str, level: int = 2) -> tuple[BodyMesh, BodyMesh]:
+    pair = pair_mesh(OUTER, recipe=load_recipe(recipe), level=level, semi_axes=SEMI_AXES)
     return pair.upper, pair.lower
 
 
 @pytest.mark.parametrize("recipe", ["race", "hertzian"])
-def test_a_body_comes_back_as_it_was(contacts: dict[str, Contact], recipe: str, tmp_path: Path) -> None:
+def test_a_body_comes_back_as_it_was(recipe: str, tmp_path: Path) -> None:
     """Bit for bit, including the order of the touching nodes, which pairs the contact nodes of the two bodies."""
-    for body in bodies(contacts, recipe):
+    for body in bodies(recipe):
         write_body(tmp_path / "body.vtu", body)
         again = read_body(tmp_path / "body.vtu", name=body.name)
         assert again.name == body.name
@@ -42,9 +42,9 @@ def test_a_body_comes_back_as_it_was(contacts: dict[str, Contact], recipe: str, 
 
 
 @pytest.mark.parametrize("recipe", ["race", "hertzian"])
-def test_vtk_reads_every_cell_with_its_volume(contacts: dict[str, Contact], recipe: str, tmp_path: Path) -> None:
+def test_vtk_reads_every_cell_with_its_volume(recipe: str, tmp_path: Path) -> None:
     """A node order that VTK reads differently gives negative or wrong volumes."""
-    for body in bodies(contacts, recipe, level=3):
+    for body in bodies(recipe, level=3):
         write_body(tmp_path / "body.vtu", body)
         grid = pyvista.read(tmp_path / "body.vtu")
         assert isinstance(grid, pyvista.UnstructuredGrid)
@@ -56,17 +56,15 @@ def test_vtk_reads_every_cell_with_its_volume(contacts: dict[str, Contact], reci
         np.testing.assert_allclose(volume.sum(), mesh_quality(body.mesh).volume, rtol=tolerance)
 
 
-def test_fields_are_written_with_the_mesh(contacts: dict[str, Contact], tmp_path: Path) -> None:
-    body = bodies(contacts, "race", level=1)[0]
+def test_fields_are_written_with_the_mesh(tmp_path: Path) -> None:
+    body = bodies("race", level=1)[0]
     displacement = np.random.default_rng(5).normal(size=(body.mesh.doflocs.shape[1], 3))
     write_body(tmp_path / "body.vtu", body, displacement=displacement)
     np.testing.assert_array_equal(pyvista.read(tmp_path / "body.vtu").point_data["displacement"], displacement)
 
 
-def test_a_failed_write_leaves_the_old_file_and_nothing_else(
-    contacts: dict[str, Contact], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    body = bodies(contacts, "race", level=1)[0]
+def test_a_failed_write_leaves_the_old_file_and_nothing_else(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    body = bodies("race", level=1)[0]
     write_body(tmp_path / "body.vtu", body)
     before = (tmp_path / "body.vtu").read_bytes()
 
@@ -162,9 +160,9 @@ FAULTS: dict[str, Callable[[Path], object]] = {
 
 
 @pytest.mark.parametrize("fault", FAULTS)
-def test_a_broken_file_is_refused_in_one_line(contacts: dict[str, Contact], tmp_path: Path, fault: str) -> None:
+def test_a_broken_file_is_refused_in_one_line(tmp_path: Path, fault: str) -> None:
     path = tmp_path / "body.vtu"
-    write_body(path, bodies(contacts, "race", level=1)[0])
+    write_body(path, bodies("race", level=1)[0])
     read_body(path, name="ball")  # sound so far
     FAULTS[fault](path)
     reason = "No such file or directory" if fault == "missing" else "not a mesh written by fembearing"
@@ -182,11 +180,9 @@ def test_a_broken_file_is_refused_in_one_line(contacts: dict[str, Contact], tmp_
         (twice, "nodes that may touch are not numbered in a row"),
     ],
 )
-def test_impossible_numbers_are_named(
-    contacts: dict[str, Contact], tmp_path: Path, fault: Callable[[meshio.Mesh], object], words: str
-) -> None:
+def test_impossible_numbers_are_named(tmp_path: Path, fault: Callable[[meshio.Mesh], object], words: str) -> None:
     path = tmp_path / "body.vtu"
-    write_body(path, bodies(contacts, "race", level=1)[0])
+    write_body(path, bodies("race", level=1)[0])
     with_changed(fault)(path)
     with pytest.raises(InputError, match=words):
         read_body(path, name="ball")
