@@ -69,26 +69,6 @@ def test_pressure_moves_unlike_surfaces_along_each_other() -> None:
     np.testing.assert_array_equal(like, 0.0)
 
 
-def test_equal_tractions_on_all_rectangles_are_those_of_the_whole() -> None:
-    """The parts of a rectangle move the surface as it does itself; where it is long, as plane strain has it."""
-    influence = HalfSpaces(ball=STEEL, race=STEEL)
-    whole = Strips(
-        middle=np.array([0.0]), width=np.array([9e-4]), rear=np.array([-1e-4]), front=np.array([1.2e-4]), cells=1
-    )
-    left, right = whole.edges[0]
-    cells, shift = 7, (right - left) / 7
-    parts = Strips(
-        middle=np.array([-3e-4, 0.0, 3e-4]),
-        width=np.full(3, 3e-4),
-        rear=np.full(3, left + 0.174653 * shift),
-        front=np.full(3, right + 0.325347 * shift),
-        cells=cells,
-    )
-    x, y = np.array([2.3e-4, -0.2e-4]), np.array([1.1e-4, 5.3e-4])
-    expected = influence.by_traction(whole, x, y)[..., 0]
-    np.testing.assert_allclose(influence.by_traction(parts, x, y).sum(axis=-1), expected, rtol=1e-10)  # round-off
-
-
 def test_an_impossible_material_is_refused() -> None:
     with pytest.raises(InputError, match=r"poisson_ratio of test must lie in \(-1, 0.5\], got 0.6"):
         HalfSpaces(ball=of_modulus(0.6, 1e9), race=STEEL).by_traction(ONE, POINTS[:, 0], POINTS[:, 1])

@@ -225,17 +225,6 @@ def test_a_reversed_slip_reverses_the_forces_of_like_materials_only() -> None:
         assert close == same
 
 
-def test_spin_pushes_across_the_groove_as_the_leading_edge_says() -> None:
-    """Tractions build up from the leading edge: C23, a negative force across for a positive spin."""
-    found = case(race_strips(12, 8)).rolls(Creepages(spin=0.5), 0.3)
-    assert found.force_across < 0
-    assert found.force_along == pytest.approx(0.0, abs=1e-6 * LOAD)
-    # s_y = spin x: the rear slides against it, the front sticks.
-    front = np.abs(found.traction[1][:, -1]) / found.pressure[:, -1]
-    rear = np.abs(found.traction[1][:, 0]) / found.pressure[:, 0]
-    assert np.mean(front) < np.mean(rear)
-
-
 def test_published_prototype_of_one_contact() -> None:
     """Of a 6205: M_z, M_r and F_y over mu Q b, mu Q b^2/R and mu Q by a separate program, at friction 0.1.
 
