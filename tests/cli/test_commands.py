@@ -6,14 +6,12 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from analytic.writing import LISTING
 from fembearing.check.contact import scene_contact
 from fembearing.check.cost import scene_cost as cost
-from fembearing.fem import solution
 from fembearing.mesh.recipe import Recipe
 from tests.analytic.scenefile.scene_texts import MINE
 
@@ -66,12 +64,6 @@ def test_json_is_alone_on_standard_output(command) -> None:
     assert result.err == ""  # no progress where there is no terminal
 
 
-def test_the_idealisation_meets_hertz_within_its_own_uncertainty(command) -> None:
-    found = json.loads(command("contact", "--geometry", "hertzian", "--pair", "outer", "--json").out)
-    for each in found["quantities"].values():
-        assert abs(each["discrepancy"]) <= each["relative_uncertainty"]
-
-
 @pytest.mark.usefixtures("coarse")
 def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
     """And the pocket of the printed table cannot be made: the result has a warning."""
@@ -84,26 +76,6 @@ def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
     warnings = " ".join(found["warnings"])
     assert "neighbouring pockets overlap" in warnings
     assert "bends on its rim" in warnings
-
-
-def test_meshes_that_do_not_converge_are_undecided(
-    command, monkeypatch: pytest.MonkeyPatch, levels: Callable[..., None]
-) -> None:
-    """Peak pressure is changed by 3 % up and down from mesh to mesh, as in solvers that take it from one node."""
-    true = solution.peak_pressure
-    signs: dict[int, int] = {}  # one for each level, which its number of nodes tells
-    turns = (1, -1, -1)  # the second level is solved before the first, then the third
-    levels(1, 2, 3)  # the fewest that can swing
-
-    def swinging(x: Any, *rest: Any, **options: Any) -> float:
-        return true(x, *rest, **options) * (1 + 0.03 * signs.setdefault(x.size, turns[len(signs)]))
-
-    monkeypatch.setattr(solution, "peak_pressure", swinging)
-    result = command("contact", "--geometry", "hertzian", "--load", "77 N", "--json")
-    found = json.loads(result.out)
-    assert found["verdict"] == "undecided"
-    assert "do not converge in peak pressure" in " ".join(found["warnings"])
-    assert result.status == 3
 
 
 @pytest.mark.usefixtures("coarse")
