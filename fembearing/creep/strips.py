@@ -72,12 +72,7 @@ class Strips:
 
 
 def ellipse_strips(
-    *,
-    semi_axis_rolling: float,
-    semi_axis_transverse: float,
-    count: int,
-    cells: int,
-    sides: Sequence[float] = (),
+    *, semi_axis_rolling: float, semi_axis_transverse: float, count: int, cells: int, sides: Sequence[float] = ()
 ) -> Strips:
     """Strips over an ellipse, narrower where slip turns round and at the ends.
 

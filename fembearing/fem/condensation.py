@@ -143,8 +143,7 @@ class HeldBody:
                 remedy = "Ask for a larger tolerance, which takes a coarser mesh."
                 raise SingularError(problem=f"{equations} do not fit into memory", remedy=remedy) from problem
             raise SingularError(
-                problem=f"{equations} have no single answer: {str(problem).rstrip('.')}",
-                remedy=REMEDY,
+                problem=f"{equations} have no single answer: {str(problem).rstrip('.')}", remedy=REMEDY
             ) from problem
 
 

@@ -29,17 +29,9 @@ contact_angle = { nominal = "30 deg" }
     [
         (SERIES, DONE, "check: inside the makers' formulas"),
         # A low shoulder would cut off more than a tenth, and nobody knows how high it is
-        (
-            SERIES.replace(BEARING, NO_SHOULDER),
-            NOT_SOLVED,
-            "undecided: a physical limit is not known: shoulder",
-        ),
+        (SERIES.replace(BEARING, NO_SHOULDER), NOT_SOLVED, "undecided: a physical limit is not known: shoulder"),
         # 0.2 rad: 9 balls carry 5033 N each, which 4.2 GPa allows up to some 4400 N
-        (
-            MINE.replace("700 N", "9000 N"),
-            CHECK_FAILED,
-            "fail: the peak pressure exceeds the static limit",
-        ),
+        (MINE.replace("700 N", "9000 N"), CHECK_FAILED, "fail: the peak pressure exceeds the static limit"),
     ],
 )
 def test_status_and_last_line_follow_from_both_verdicts(

@@ -8,13 +8,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.oil.traction import PointLaw
 from analytic.scene import Bearing
-from fembearing.creep.ball import (
-    Elasticity,
-    Grid,
-    TurnedBall,
-    TurningBall,
-    turn_ball,
-)
+from fembearing.creep.ball import Elasticity, Grid, TurnedBall, TurningBall, turn_ball
 from fembearing.creep.half_space import HalfSpaces
 from fembearing.creep.place import HeldBall, free_lengths, unit_under
 from fembearing.creep.strips import hertz_pressure

@@ -11,11 +11,7 @@ from tests.contacts import STEEL
 from tests.creep.bodies import HYBRID, of_modulus
 
 ONE = Strips(
-    middle=np.array([0.3e-4]),
-    width=np.array([5e-4]),
-    rear=np.array([-0.7e-4]),
-    front=np.array([1.1e-4]),
-    cells=1,
+    middle=np.array([0.3e-4]), width=np.array([5e-4]), rear=np.array([-0.7e-4]), front=np.array([1.1e-4]), cells=1
 )
 POINTS = np.array([[2.1e-4, 3.7e-4], [-3.3e-4, 0.9e-4], [1.6e-4, -7e-4]])  # outside, where a point force is smooth
 

@@ -69,11 +69,7 @@ def test_cylinders_roll_as_carter_has_them() -> None:
     radius = 9e-3
     peak = half / radius * modulus / (1 - poisson_ratio) / 2  # E* a/2R with E* = G/(1 - nu)
     wide = Strips(
-        middle=np.array([0.0]),
-        width=np.array([2e3 * half]),
-        rear=np.array([-half]),
-        front=np.array([half]),
-        cells=160,
+        middle=np.array([0.0]), width=np.array([2e3 * half]), rear=np.array([-half]), front=np.array([half]), cells=160
     )
     pressure = hertz_pressure(wide, load=np.pi / 2 * peak * half * wide.width[0])
     surfaces, found = rolling_surfaces(wide, HalfSpaces(ball=body, race=body)), None

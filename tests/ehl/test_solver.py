@@ -10,15 +10,7 @@ import pytest
 from analytic.scene import Array
 from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.grid import Grid
-from fembearing.ehl.solver import (
-    EASY,
-    Discretised,
-    NoFilmError,
-    Solution,
-    Start,
-    require_few_cells,
-    solve_on_grids,
-)
+from fembearing.ehl.solver import EASY, Discretised, NoFilmError, Solution, Start, require_few_cells, solve_on_grids
 from tests.ehl.contacts import moes
 
 

@@ -9,14 +9,7 @@ from analytic.scene import Array
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.fem.elasticity import strip_integrals, surface_mass
 from fembearing.fem.guess import expected_semi_axes
-from fembearing.fem.measure import (
-    STRIP,
-    nodal_pressure,
-    peak_pressure,
-    semi_axis,
-    shoulder_load,
-    uncut_semi_axes,
-)
+from fembearing.fem.measure import STRIP, nodal_pressure, peak_pressure, semi_axis, shoulder_load, uncut_semi_axes
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import load_recipe
 from tests.contacts import CONTACTS, OUTER

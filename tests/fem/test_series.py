@@ -9,11 +9,7 @@ import pytest
 from analytic.errors import InputError
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.fem import solution as module
-from fembearing.fem.series import (
-    off_mesh,
-    on_level,
-    solve_series,
-)
+from fembearing.fem.series import off_mesh, on_level, solve_series
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Recipe, load_recipe
 from tests.contacts import INNER, OUTER

@@ -46,9 +46,7 @@ def curve_error(found: SubsurfaceStress, contact: Contact, side: Side = "lower")
     """The largest error of the three stresses over all depths, in peak pressures."""
     exact, ratio = hertz(contact), material_of(contact, side).poisson_ratio
     right = axis_stress(
-        depth=found.depth,
-        poisson_ratio=np.asarray(ratio),
-        **{name: np.asarray(value) for name, value in exact.items()},
+        depth=found.depth, poisson_ratio=np.asarray(ratio), **{name: np.asarray(value) for name, value in exact.items()}
     )
     return float(np.abs(found.stress - [right.sigma_x, right.sigma_y, right.sigma_z]).max()) / exact["peak_pressure"]
 

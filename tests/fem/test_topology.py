@@ -35,10 +35,9 @@ def pairs() -> list[PairMesh]:
 
 
 def reduced(pair: PairMesh, side: str) -> CondensedBody:
-    body, force, material = {
-        "upper": (pair.upper, -pair.normal, NITRIDE),
-        "lower": (pair.lower, pair.normal, STEEL),
-    }[side]
+    body, force, material = {"upper": (pair.upper, -pair.normal, NITRIDE), "lower": (pair.lower, pair.normal, STEEL)}[
+        side
+    ]
     return condense(body, material=material, force=force, semi_axes=pair.semi_axes)
 
 

@@ -10,14 +10,7 @@ from analytic.errors import InputError
 from analytic.scene import Array, Contact, Material
 from fembearing.creep.half_space import HalfSpaces
 from fembearing.creep.strips import Strips
-from fembearing.fem.compliance import (
-    WHOLE,
-    PairCompliance,
-    pair_compliance,
-    tangent_frame,
-    values_of,
-    whole_compliance,
-)
+from fembearing.fem.compliance import WHOLE, PairCompliance, pair_compliance, tangent_frame, values_of, whole_compliance
 from fembearing.fem.elasticity import surface_mass
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.half_space import approach_under, contact_modulus, plane_strain_modulus, pressed_rectangle
