@@ -92,21 +92,3 @@ def test_a_folder_has_page_numbers_table_and_figure(command: Run, place: Path) -
     assert "Missed: 1 of 2 measured torques is outside its 95 % interval." in page
     assert 'class="too">too low' in page
     assert "data:image/png;base64," in page
-
-
-@pytest.mark.parametrize(
-    ("words", "parts"),
-    [
-        (("data.csv",), ("'data.csv'", "fembearing compare SCENE data.csv")),
-        (("bare.toml",), ("no table [measured]",)),
-        (("bare.toml", "data.csv", "--samples", "3"), ("samples = 3", "at least")),
-        (("bare.toml", "data.csv", "--seed", "-5"), ("seed = -5", "from 0")),
-    ],
-)
-def test_a_mistake_gives_one_line(command: Run, place: Path, words: tuple[str, ...], parts: tuple[str, ...]) -> None:
-    before = sorted(place.iterdir())
-    ended = command("compare", *words)
-    assert (ended.status, ended.out) == (2, "")
-    assert ended.err.count("\n") == 1
-    assert [part for part in parts if part not in ended.err] == [], ended.err
-    assert sorted(place.iterdir()) == before

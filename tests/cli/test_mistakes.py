@@ -11,6 +11,11 @@ from tests.analytic.scenefile.scene_texts import MINE
 USUAL = scene_text("6206", oil="ISO VG 68")
 RADIAL = '"560 N"'
 CSV = "inner_speed [rpm],torque [N mm]\n500,7\n"
+BARE = (
+    'name = "bare"\ntolerance = "5 %"\n[bearing]\ncatalog = "6205"\n[operation]\naxial_load = "1000 N"\n'
+    'inner_speed = "500 rpm"\n'
+)
+PAIR = '[arrangement]\nkind = "X"\npreload = "100 N"\n[friction]\ncoefficient = 0.1\n'
 HEAVY = MINE.replace("700 N", "700000 N").replace('"given", value', '"solved", free')
 GRID = 'scene = "6206"\n[axes]\noperation.radial_load = ["300 N", "500 N"]\n'
 # A command line, another text of the file in it, and words that the line on standard error has. "s.toml" is the usual
@@ -47,6 +52,28 @@ CASES: tuple[tuple[str, str | None, tuple[str, ...]], ...] = (
     ("compare 6206 d.csv", CSV.replace(" [rpm]", ""), ("inner_speed has no unit", "inner_speed [rpm]")),
     ("compare d.csv 6206", None, ("give the scene first: fembearing compare 6206 d.csv",)),
     ("duty d.csv 6206", None, ("give the scene first: fembearing duty 6206 d.csv",)),
+    ("compare d.csv", None, ("'d.csv'", "fembearing compare SCENE d.csv")),
+    ("compare s.toml", None, ("no table [measured]",)),
+    ("compare s.toml d.csv --samples 3", None, ("samples = 3", "at least")),
+    ("compare s.toml d.csv --seed -5", None, ("seed = -5", "from 0")),
+    ("creep 6205-dry --friction 0", None, ("friction = 0",)),
+    ("creep 6205-dry --speed 0rpm", None, ("standstill",)),
+    ("creep 6205-dry --load 0N", None, ("--load",)),
+    ("creep 6205-dry --load 90kN", None, ("shoulder",)),
+    ("creep 6205-dry --load 5N --speed 20000rpm", None, ("skids",)),
+    ("creep bare.toml", BARE, ("--friction",)),
+    ("creep pair.toml", BARE.replace("6205", "7205C") + PAIR, ("[arrangement]",)),
+    ("creep 6205-dry --load 2.5kN --compliance meshed", None, ("past its shoulder",)),
+    ("film 6205-dry", None, ("[lubricant]",)),
+    ("film paper_6205 --speed 0rpm", None, ("--speed",)),
+    ("film paper_6205 --load 90kN", None, ("GPa",)),
+    ("film paper_6205 --pair pocket", None, ("pocket",)),
+    ("film paper_6205 --load 5kN --compliance meshed", None, ("too wide for a ball",)),
+    ("export 6206 --to xlsx", None, ("--to", "xlsx", "netcdf")),
+    ("export 6206", None, ("--to",)),
+    ("export 6206 --to csv --speed '0 rpm to 60 rpm in 1'", None, ("has 1 values",)),
+    ("export 6206 --to csv --out s.toml", None, ("s.toml", ".csv")),
+    ("export 6206 --to modelica --radial-load '1 kN to 2 kN in 3'", None, ("radial_load has 3 values", "modelica")),
     ("sweep g.toml --out new", GRID.replace("[axes]", "[axis]"), ("axis = ", "did you mean axes?")),
     ("sweep g.toml --out o\udce9ut", None, ("--out 'o\\udce9ut'", "not UTF-8")),
     ("torque caged.toml --out o\udce9ut", MINE + "[cage]", ("--out 'o\\udce9ut'", "not UTF-8")),
