@@ -41,64 +41,57 @@ def words(page: Page) -> str:
     return " ".join(label.text for label in page.lines.values())
 
 
-def test_the_headline_is_that_of_the_command(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_the_headline_is_that_of_the_command(opened, settled, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(evaluation, "SPEEDS", np.array([0.4, 1.0, 1.7]))  # a quarter, each of which takes 0.25 s
     monkeypatch.setattr(evaluation, "SLICES", 2)
-
-    async def story(opened) -> None:
-        _, page = await opened()
-        page.fields[LOAD].value = "2 kN"
-        page.fields[SPEED].value = "1500"
-        await settled(page)
-        out = StringIO()
-        result = torque_of_scene(load_scene("6206", radial_load="2 kN", speed="1500 rpm"))
-        print_sections(Console(file=out, width=500), [headline_section(result)])
-        title, _, _, row, *rest = [line.strip() for line in out.getvalue().splitlines() if line.strip()]
-        shown = words(page)
-        assert title in shown
-        torque, ends, power, *_ = row.split()[2:]
-        assert page.lines["torque"].text == torque
-        assert page.lines["interval"].text == f"95 %: {ends}"
-        assert page.lines["power"].text == f"power {power} W"
-        for line in rest:
-            verdict, mark, reason = line.partition(": ")
-            assert line in shown or (mark and f"{verdict} {reason}" in shown)
-        assert "is read as 1500 rpm" in page.lines["problem"].text
-        curve = next(each for each in page.charts["curve"].options["series"] if each["name"] == "torque")
-        assert [round(float(speed)) for speed, _ in curve["data"]] == [600, 1500, 2550]  # of all slices
-
-    run_story(story)
+    _, page = await opened()
+    page.fields[LOAD].value = "2 kN"
+    page.fields[SPEED].value = "1500"
+    await settled(page)
+    out = StringIO()
+    result = torque_of_scene(load_scene("6206", radial_load="2 kN", speed="1500 rpm"))
+    print_sections(Console(file=out, width=500), [headline_section(result)])
+    title, _, _, row, *rest = [line.strip() for line in out.getvalue().splitlines() if line.strip()]
+    shown = words(page)
+    assert title in shown
+    torque, ends, power, *_ = row.split()[2:]
+    assert page.lines["torque"].text == torque
+    assert page.lines["interval"].text == f"95 %: {ends}"
+    assert page.lines["power"].text == f"power {power} W"
+    for line in rest:
+        verdict, mark, reason = line.partition(": ")
+        assert line in shown or (mark and f"{verdict} {reason}" in shown)
+    assert "is read as 1500 rpm" in page.lines["problem"].text
+    curve = next(each for each in page.charts["curve"].options["series"] if each["name"] == "torque")
+    assert [round(float(speed)) for speed, _ in curve["data"]] == [600, 1500, 2550]  # of all slices
 
 
 @pytest.mark.usefixtures("no_curve")
-def test_a_refused_input_has_the_words_of_the_command_beside_its_field(run_story, settled) -> None:
-    async def story(opened) -> None:
-        _, page = await opened()
-        await settled(page)
-        before = page.lines["torque"].text
-        page.fields[LOAD].value = "5 kg"
-        await settled(page)
-        with pytest.raises(InputError) as told:
-            load_scene("6206", radial_load="5 kg")
-        words_of_the_command = str(told.value).removeprefix("scene of 6206: ")
-        assert page.fields[LOAD].error == f"scene: {words_of_the_command}"
-        assert [key for key, field in page.fields.items() if field.error] == [LOAD]
-        assert page.lines["torque"].text == before
-        assert "old" in page.lines["torque"].classes
-        page.fields[CATALOG].value = "6299"
-        assert "6299" in page.fields[CATALOG].error
-        assert page.fields[LOAD].error is None
-        page.fields[LOAD].value = "700 N"
-        await settled(page)
-        assert not any(field.error for field in page.fields.values())
-        assert "old" not in page.lines["torque"].classes
-        assert page.lines["torque"].text != before
-
-    run_story(story)
+async def test_a_refused_input_has_the_words_of_the_command_beside_its_field(opened, settled) -> None:
+    _, page = await opened()
+    await settled(page)
+    before = page.lines["torque"].text
+    page.fields[LOAD].value = "5 kg"
+    await settled(page)
+    with pytest.raises(InputError) as told:
+        load_scene("6206", radial_load="5 kg")
+    words_of_the_command = str(told.value).removeprefix("scene of 6206: ")
+    assert page.fields[LOAD].error == f"scene: {words_of_the_command}"
+    assert [key for key, field in page.fields.items() if field.error] == [LOAD]
+    assert page.lines["torque"].text == before
+    assert "old" in page.lines["torque"].classes
+    page.fields[CATALOG].value = "6299"
+    assert "6299" in page.fields[CATALOG].error
+    assert page.fields[LOAD].error is None
+    page.fields[LOAD].value = "700 N"
+    await settled(page)
+    assert not any(field.error for field in page.fields.values())
+    assert "old" not in page.lines["torque"].classes
+    assert page.lines["torque"].text != before
 
 
 @pytest.mark.usefixtures("no_curve")
-def test_outdated_intervals_are_not_computed(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_outdated_intervals_are_not_computed(opened, settled, monkeypatch: pytest.MonkeyPatch) -> None:
     found, intervals, released = at_once(scene_text("6206")), [], threading.Event()
 
     def slow(one: Evaluation) -> Evaluation:
@@ -108,155 +101,132 @@ def test_outdated_intervals_are_not_computed(run_story, settled, monkeypatch: py
 
     monkeypatch.setattr(evaluation, "at_once", lambda text: replace(found, text=text))
     monkeypatch.setattr(evaluation, "completed", slow)
-
-    async def story(opened) -> None:
-        _, page = await opened()
-        released.set()
-        await settled(page)
-        released.clear()
-        for number in range(10):
-            page.fields[LOAD].value = f"{700 + number} N"
-            while page.evaluation.text != page.text:  # until it is shown
-                await asyncio.sleep(0.01)
-        released.set()
-        await settled(page)
-        assert intervals[-1] == page.text
-        assert len(intervals) <= 3  # of 11 scenes: the first one, the one at work during the changes, the last one
-
-    run_story(story)
+    _, page = await opened()
+    released.set()
+    await settled(page)
+    released.clear()
+    for number in range(10):
+        page.fields[LOAD].value = f"{700 + number} N"
+        while page.evaluation.text != page.text:  # until it is shown
+            await asyncio.sleep(0.01)
+    released.set()
+    await settled(page)
+    assert intervals[-1] == page.text
+    assert len(intervals) <= 3  # of 11 scenes: the first one, the one at work during the changes, the last one
 
 
 @pytest.mark.usefixtures("no_curve")
-def test_a_slider_sets_its_field_and_follows_it(run_story, settled) -> None:
-    async def story(opened) -> None:
-        _, page = await opened()
-        page.fields[LOAD].value = "2 kN"
-        await settled(page)
-        assert page.sliders[LOAD].value == 2000.0
-        page.slide(LOAD, 640.0)
-        await settled(page)
-        assert page.fields[LOAD].value == "640 N"
-        assert page.evaluation.row["radial_load"] == 640.0
-        page.slide("lubricant.temperature", 35.0)
-        await settled(page)
-        assert page.evaluation.result.scene.lubricant.temperature == pytest.approx(308.15)
-        assert page.sliders["lubricant.temperature"].value == 35.0
-
-    run_story(story)
+async def test_a_slider_sets_its_field_and_follows_it(opened, settled) -> None:
+    _, page = await opened()
+    page.fields[LOAD].value = "2 kN"
+    await settled(page)
+    assert page.sliders[LOAD].value == 2000.0
+    page.slide(LOAD, 640.0)
+    await settled(page)
+    assert page.fields[LOAD].value == "640 N"
+    assert page.evaluation.row["radial_load"] == 640.0
+    page.slide("lubricant.temperature", 35.0)
+    await settled(page)
+    assert page.evaluation.result.scene.lubricant.temperature == pytest.approx(308.15)
+    assert page.sliders["lubricant.temperature"].value == 35.0
 
 
 @pytest.mark.usefixtures("no_curve")
-def test_a_pasted_scene_fills_the_fields(run_story, settled) -> None:
-    async def story(opened) -> None:
-        _, page = await opened()
-        await settled(page)
-        page.fields["scene"].value = with_value(scene_text("7208B"), SPEED, "2200 rpm")
-        await settled(page)
-        assert (page.fields[CATALOG].value, page.fields[SPEED].value) == ("7208B", "2200 rpm")
-        assert page.lines["title"].text.startswith("7208B, axial ")
-        page.fields["scene"].value = "[bearing"
-        assert page.fields["scene"].error.startswith("scene: not TOML")
-
-    run_story(story)
+async def test_a_pasted_scene_fills_the_fields(opened, settled) -> None:
+    _, page = await opened()
+    await settled(page)
+    page.fields["scene"].value = with_value(scene_text("7208B"), SPEED, "2200 rpm")
+    await settled(page)
+    assert (page.fields[CATALOG].value, page.fields[SPEED].value) == ("7208B", "2200 rpm")
+    assert page.lines["title"].text.startswith("7208B, axial ")
+    page.fields["scene"].value = "[bearing"
+    assert page.fields["scene"].error.startswith("scene: not TOML")
 
 
 @pytest.mark.usefixtures("no_curve")
-def test_the_cage_and_the_seats_change_the_torque(run_story, settled) -> None:
-    async def story(opened) -> None:
-        _, page = await opened()
-        await settled(page)
-        first = page.evaluation.row
-        page.inputs.cage.value = True
-        await settled(page)
-        assert page.fields["cage.mass"].value == "11 g"
-        assert page.inputs.pockets.visible
-        caged = page.evaluation.row
-        assert caged["torque_cage"] > 0
-        assert caged["torque_total"] == pytest.approx(
-            first["torque_total"] + caged["torque_cage"], rel=0.02
-        )  # it brakes the balls too
-        page.inputs.cage.value = False
-        page.fields["mounting.shaft_interference"].value = "30 um"  # more than the clearance: every ball is preloaded
-        await settled(page)
-        assert page.evaluation.row["torque_total"] > first["torque_total"]
-        page.fields["mounting.shaft_interference"].value = ""
-        await settled(page)
-        assert page.evaluation.row["torque_total"] == pytest.approx(
-            first["torque_total"], rel=1e-9
-        )  # round-off of the equilibrium
-
-    run_story(story)
+async def test_the_cage_and_the_seats_change_the_torque(opened, settled) -> None:
+    _, page = await opened()
+    await settled(page)
+    first = page.evaluation.row
+    page.inputs.cage.value = True
+    await settled(page)
+    assert page.fields["cage.mass"].value == "11 g"
+    assert page.inputs.pockets.visible
+    caged = page.evaluation.row
+    assert caged["torque_cage"] > 0
+    assert caged["torque_total"] == pytest.approx(
+        first["torque_total"] + caged["torque_cage"], rel=0.02
+    )  # it brakes the balls too
+    page.inputs.cage.value = False
+    page.fields["mounting.shaft_interference"].value = "30 um"  # more than the clearance: every ball is preloaded
+    await settled(page)
+    assert page.evaluation.row["torque_total"] > first["torque_total"]
+    page.fields["mounting.shaft_interference"].value = ""
+    await settled(page)
+    assert page.evaluation.row["torque_total"] == pytest.approx(
+        first["torque_total"], rel=1e-9
+    )  # round-off of the equilibrium
 
 
 NAMES = ("6004", "6205", "6206", "6308")
 
 
-def test_users_have_the_files_of_their_own_checks(run_story, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_users_have_the_files_of_their_own_checks(opened, monkeypatch: pytest.MonkeyPatch) -> None:
     """Over HTTP, at once; nobody guesses the address of another, and a closed check has no files."""
     checks = [Check(text=name) for name in NAMES]
     for check in checks:
         monkeypatch.setitem(CHECKS, check.token, check)
         check.folder.mkdir()
         (check.folder / "report.html").write_text(f"report of {check.text}", "utf-8")
-
-    async def story(opened) -> None:
-        add_report()
-        users = [(await opened())[0] for _ in checks]
-        files = (
-            user.http_client.get(f"/check/{check.token}/report.html") for user, check in zip(users, checks, strict=True)
-        )
-        found = [response.text for response in await asyncio.gather(*files)]
-        assert found == [f"report of {name}" for name in NAMES]
-        checks[1].close()
-        closed = await users[1].http_client.get(f"/check/{checks[1].token}/report.html")
-        other = await users[1].http_client.get(f"/check/{checks[2].token}/../{checks[3].token}/other.html")
-        assert (closed.status_code, other.status_code) == (404, 404)
-
-    run_story(story)
+    add_report()
+    users = [(await opened())[0] for _ in checks]
+    files = (
+        user.http_client.get(f"/check/{check.token}/report.html") for user, check in zip(users, checks, strict=True)
+    )
+    found = [response.text for response in await asyncio.gather(*files)]
+    assert found == [f"report of {name}" for name in NAMES]
+    checks[1].close()
+    closed = await users[1].http_client.get(f"/check/{checks[1].token}/report.html")
+    other = await users[1].http_client.get(f"/check/{checks[2].token}/../{checks[3].token}/other.html")
+    assert (closed.status_code, other.status_code) == (404, 404)
     for check in checks:
         check.close()
 
 
-def test_a_closed_tab_ends_its_check_and_its_curve(run_story) -> None:
-    async def story(opened) -> None:
-        user, page = await opened()
-        checking = asyncio.create_task(page.check.run())
-        await asyncio.sleep(0.3)
-        check = page.check.check
-        assert check is not None
-        assert check.token in CHECKS
-        user.client.delete()
-        await asyncio.wait_for(checking, 20)
-        assert check.token not in CHECKS
-        assert not check.folder.parent.exists()
-        for _ in range(1200):
-            if not page.is_busy:
-                break
-            await asyncio.sleep(0.1)
-        assert not page.is_busy
-
-    run_story(story)
+async def test_a_closed_tab_ends_its_check_and_its_curve(opened) -> None:
+    user, page = await opened()
+    checking = asyncio.create_task(page.check.run())
+    await asyncio.sleep(0.3)
+    check = page.check.check
+    assert check is not None
+    assert check.token in CHECKS
+    user.client.delete()
+    await asyncio.wait_for(checking, 20)
+    assert check.token not in CHECKS
+    assert not check.folder.parent.exists()
+    for _ in range(1200):
+        if not page.is_busy:
+            break
+        await asyncio.sleep(0.1)
+    assert not page.is_busy
 
 
 @pytest.mark.usefixtures("no_curve")
-def test_the_download_has_the_scene_and_its_torque(run_story, settled) -> None:
-    async def story(opened) -> None:
-        user, page = await opened()
-        page.fields[SPEED].value = "730 rpm"
-        await settled(page)
-        await page.check.download()
-        response = await user.download.next()
-        archive = zipfile.ZipFile(BytesIO(response.content))
-        assert archive.namelist() == ["scene.toml", "torque.csv", "torque.json", "torque.html"]
-        assert archive.read("scene.toml").decode() == page.text
-        head, row = archive.read("torque.csv").decode().splitlines()
-        torque = float(row.split(",")[head.split(",").index("torque_total [N mm]")])
-        assert f"{torque:.4g}" == page.lines["torque"].text
-
-    run_story(story)
+async def test_the_download_has_the_scene_and_its_torque(opened, settled) -> None:
+    user, page = await opened()
+    page.fields[SPEED].value = "730 rpm"
+    await settled(page)
+    await page.check.download()
+    response = await user.download.next()
+    archive = zipfile.ZipFile(BytesIO(response.content))
+    assert archive.namelist() == ["scene.toml", "torque.csv", "torque.json", "torque.html"]
+    assert archive.read("scene.toml").decode() == page.text
+    head, row = archive.read("torque.csv").decode().splitlines()
+    torque = float(row.split(",")[head.split(",").index("torque_total [N mm]")])
+    assert f"{torque:.4g}" == page.lines["torque"].text
 
 
-def test_checks_of_two_tabs_take_turns(run_story, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_checks_of_two_tabs_take_turns(opened, monkeypatch: pytest.MonkeyPatch) -> None:
     running: list[Check] = []
     most: list[int] = []
 
@@ -270,11 +240,7 @@ def test_checks_of_two_tabs_take_turns(run_story, monkeypatch: pytest.MonkeyPatc
 
     monkeypatch.setattr(Check, "start", start)
     monkeypatch.setattr(Check, "look", look)
-
-    async def story(opened) -> None:
-        pages: list[Any] = [(await opened())[1] for _ in range(2)]
-        await asyncio.gather(*(page.check.run() for page in pages))
-        assert most == [1, 1]
-        assert [page.check.said.text for page in pages] == ["ended", "ended"]
-
-    run_story(story)
+    pages: list[Any] = [(await opened())[1] for _ in range(2)]
+    await asyncio.gather(*(page.check.run() for page in pages))
+    assert most == [1, 1]
+    assert [page.check.said.text for page in pages] == ["ended", "ended"]
