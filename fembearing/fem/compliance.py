@@ -14,11 +14,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from analytic.errors import InputError
-from analytic.scene import Contact
+from analytic.scene import Array, Contact
 from analytic.words import length_of
 from fembearing.fem.elasticity import require_elastic, surface_mass
 from fembearing.fem.half_space import contact_modulus
@@ -31,7 +30,6 @@ from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.race import block_of_race, race_height
 from fembearing.mesh.recipe import Recipe
 
-Array = NDArray[np.float64]
 Places = tuple[Array, Array]  # x and y
 DEGREES: tuple[tuple[Axis, int], ...] = ((ALONG, 3), (ACROSS, 3), (NORMAL, 4))  # of all that is sampled
 EVEN = tuple(Term(NORMAL, *powers) for powers in ((0, 0), (2, 0), (0, 2), (4, 0), (2, 2), (0, 4)))

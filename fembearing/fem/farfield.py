@@ -6,11 +6,8 @@ some per cent too stiff. This condition is exact up to the moments of the pressu
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from analytic.scene import Material
-
-Array = NDArray[np.float64]
+from analytic.scene import Array, Material
 
 
 def point_load(x: Array, y: Array, depth: Array, *, material: Material) -> Array:

@@ -16,16 +16,14 @@ from itertools import product
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from analytic.scene import Material
+from analytic.scene import Array, Material
 from fembearing.fem.condensation import HeldBody, nodal_forces
 from fembearing.fem.elasticity import cell_stiffness
 from fembearing.fem.farfield import loaded_surface
 from fembearing.fem.topology import topology_of
 from fembearing.mesh.bodies import BodyMesh
 
-Array = NDArray[np.float64]
 Axis = Literal[0, 1, 2]
 ALONG: Axis = 0
 ACROSS: Axis = 1

@@ -99,10 +99,6 @@ CHECK = "validate ../s.toml --no-film --no-creep --tolerance 90% --json"  # on t
 CAGE = "torque ../moving.toml --out new"
 # The last is what requirements-torque.txt leaves out.
 LACKING = {"plain": EXTRAS, "netCDF4": ["netCDF4"], "torque": [*BROUGHT_BY, "pymklpardiso"]}
-    "plain": EXTRAS,
-    "netCDF4": ["netCDF4"],
-    "torque": [*BROUGHT_BY, "pymklpardiso"],
-}  # requirements-torque.txt alone
 POSSIBLE = {"plain": [*TORQUES, CHECK, CAGE], "netCDF4": [], "torque": TORQUES}
 
 

@@ -3,7 +3,8 @@
 import numpy as np
 
 from fembearing.fem.elasticity import lame_parameters
-from fembearing.fem.nodal_stress import stress_at_nodes, von_mises
+from fembearing.fem.nodal_stress import stress_at_nodes
+from fembearing.fem.subsurface import von_mises
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.recipe import load_recipe
 from tests.contacts import INNER, STEEL
