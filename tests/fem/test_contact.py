@@ -163,21 +163,6 @@ def test_nodes_that_just_touch_do_not_change_for_ever(seed: int) -> None:
         np.testing.assert_allclose(approach, 37.0, rtol=1e-9)
 
 
-def test_the_residual_is_the_force_that_would_open_the_overlap(monkeypatch: pytest.MonkeyPatch) -> None:
-    """One node carries 2.3 N and sinks in by 2 * 2.3; its neighbour is pushed down by 0.5 * 2.3 and overlaps."""
-    monkeypatch.setattr(contact, "ROUNDS", 1)
-    with pytest.raises(ConvergenceError) as stop:
-        press(
-            compliance=np.array([[2.0, 0.5], [0.5, 1.6]]),
-            drift=np.zeros(2),
-            gap=np.array([0.0, 0.1]),
-            lever=np.ones(2),
-            load=2.3,
-            start=np.array([True, False]),
-        )
-    np.testing.assert_allclose(stop.value.residual, (2.0 * 2.3 - 0.5 * 2.3 - 0.1) / 1.6, rtol=1e-12)  # round-off
-
-
 @pytest.mark.parametrize(("share", "holds"), [(1e-9, True), (1e-14, False)])
 def test_two_nodes_may_move_almost_as_one(share: float, holds: bool) -> None:
     """A share of 2 * share of the second node's compliance is independent of the first node."""

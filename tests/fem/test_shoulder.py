@@ -121,19 +121,6 @@ def test_forces_and_moments_balance(cut: MeshSolution) -> None:
             assert abs(force[1, pin].sum()) < 0.05 * abs(across)  # its share of the plane, no more
 
 
-def test_half_a_ball_moves_relative_to_its_middle_plane(cut: MeshSolution) -> None:
-    """Against the solution of the whole body under the contact forces, balanced on the middle plane alone."""
-    body, towards = cut.pair.upper, -cut.pair.normal
-    system = held_stiffness(body, material=cut.contact.ball_material, semi_axes=cut.pair.semi_axes)
-    plane = middle_plane(system, body)
-    across = float(towards[1] @ cut.force)
-    moved = system.displacement(system.forces(body.touching, towards) @ cut.force - across * plane, load=0.0)
-    moved[1] -= plane @ moved.ravel()[system.free]  # the plane's own place, on the average
-    here = np.sum(towards * moved[:, body.touching], axis=0)
-    np.testing.assert_allclose(cut.bodies.upper.compliance @ cut.force, here, atol=1e-9 * np.abs(here).max())
-    assert abs(across) > 1e-3 * cut.force.sum()  # the load's line is off the centre
-
-
 @pytest.mark.parametrize("shoulders", [(np.inf, 0.41e-3), (0.33e-3, np.inf), (0.52e-3, 0.17e-3)])
 def test_the_far_field_of_a_cut_ellipse_is_that_of_its_points(shoulders: tuple[float, float]) -> None:
     """Against a fine sum of point loads over the rest of the ellipse."""

@@ -1,19 +1,17 @@
 """The contact solver against Hertz on the idealisation, and against laws that any elastic contact obeys."""
 
 from dataclasses import replace
-from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
 
-from analytic.errors import ConvergenceError, InputError
+from analytic.contact.finite_geometry import contact_shape, finite_geometry_factors
+from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.refinement import COMPARED
-from fembearing.fem import solution
 from fembearing.fem.guess import expected_semi_axes
-from fembearing.fem.solution import MeshSolution, fitted_on_level, fitted_solution, solve_on_mesh
+from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
 from tests import contacts
 from tests.contacts import NITRIDE, STEEL
@@ -125,26 +123,6 @@ def test_an_impossible_contact_is_refused(name: str, value: float) -> None:
         fitted_solution(replace(INNER, **{name: value}), recipe=load_recipe("hertzian"))
 
 
-@pytest.fixture
-def measured(monkeypatch: pytest.MonkeyPatch) -> Any:
-    """What each mesh in turn measures of both axes, over its own; and the meshes made."""
-    told = SimpleNamespace(ratios=[], made=[])
-
-    def solved(*_: Any, semi_axes: tuple[float, float], **__: Any) -> Any:
-        ratio = told.ratios[min(len(told.made), len(told.ratios) - 1)]
-        told.made.append(semi_axes)
-        return SimpleNamespace(semi_axes=(ratio[0] * semi_axes[0], ratio[1] * semi_axes[1]))
-
-    monkeypatch.setattr(solution, "solve_on_mesh", solved)
-    return told
-
-
-def test_a_size_that_never_fits_is_named_with_its_misfit(measured: Any) -> None:
-    measured.ratios = [(1.1, 0.93)]
-    with pytest.raises(ConvergenceError, match=r"size of the contact did not converge in 12 .*1\.0e-01 of a semi-axis"):
-        fitted_on_level(INNER, recipe=load_recipe("race"), level=1, start=(0.2, 1.1), good=0.02)
-
-
 def test_the_other_side_of_a_cut_contact_tells_its_ellipse() -> None:
     """The quarter's ellipse where the nearer or the farther shoulder takes a tenth of it; the cut one less."""
     axes, recipe = expected_semi_axes(INNER, geometry="real"), load_recipe("race")
@@ -156,3 +134,23 @@ def test_the_other_side_of_a_cut_contact_tells_its_ellipse() -> None:
         assert 0.99 < found.semi_axes[1] / whole.semi_axes[1] < 1.03  # the error of a first level
         assert found.quantities.semi_axis_transverse < 0.985 * found.semi_axes[1]
         assert found.quantities.peak_pressure == pytest.approx(whole.quantities.peak_pressure, rel=0.03)
+
+
+WASHER = replace(
+    contacts.INNER, rolling_radius=np.inf, contact_angle=np.pi / 2, shoulder=2.6e-3, far_shoulder=2.6e-3, load=150.0
+)
+
+
+@pytest.mark.slow
+def test_the_groove_of_a_washer_changes_hertz_as_the_fit_has_it() -> None:
+    recipe = load_recipe("race")
+    fitted = fitted_solution(WASHER, recipe=recipe)
+    fine = solve_on_mesh(WASHER, recipe=recipe, level=3, semi_axes=fitted.pair.semi_axes).quantities
+    hertz = hertz_quantities(WASHER)
+    shape = finite_geometry_factors(contact_shape(WASHER))
+    assert shape.covered.all()
+    found = np.array([getattr(fine, name) / getattr(hertz, name) for name in COMPARED])
+    stated = np.array([float(np.asarray(getattr(shape.factors, name))) for name in COMPARED])
+    # The fit states 0.07 to 0.18 %, and the mesh of this level is within 0.3 % (docs/validation.md).
+    np.testing.assert_allclose(found, stated, atol=4e-3)
+    assert np.abs(found - 1).max() > 6e-3  # which Hertz's alone is not
