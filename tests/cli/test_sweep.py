@@ -43,6 +43,10 @@ def test_a_sweep_writes_its_files_and_a_second_run_keeps_them(
     assert {file: file.stat().st_mtime_ns for file in (tmp_path / "out").rglob("*")} == written | {
         tmp_path / "out" / ".lock": (tmp_path / "out" / ".lock").stat().st_mtime_ns
     }
+    maps = {file: file.stat().st_mtime_ns for file in (tmp_path / "out" / "maps").glob("*.png")}
+    (tmp_path / "out" / "sweep.nc").unlink()  # gathered again, as when points that were lost are there at last
+    assert sweep(grid_file(AXES))[0] == 0
+    assert all(file.stat().st_mtime_ns > drawn for file, drawn in maps.items())
 
 
 def test_failed_points_end_with_status_3_and_their_reasons(
