@@ -6,12 +6,14 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from analytic.writing import LISTING
 from fembearing.check.contact import scene_contact
 from fembearing.check.cost import scene_cost as cost
+from fembearing.fem import solution
 from fembearing.mesh.recipe import Recipe
 from tests.analytic.scenefile.scene_texts import MINE
 
@@ -76,6 +78,26 @@ def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
     warnings = " ".join(found["warnings"])
     assert "neighbouring pockets overlap" in warnings
     assert "bends on its rim" in warnings
+
+
+def test_meshes_that_do_not_converge_are_undecided(
+    command, monkeypatch: pytest.MonkeyPatch, levels: Callable[..., None]
+) -> None:
+    """Peak pressure is changed by 3 % up and down from mesh to mesh, as in solvers that take it from one node."""
+    true = solution.peak_pressure
+    signs: dict[int, int] = {}  # one for each level, which its number of nodes tells
+    turns = (1, -1, -1)  # the second level is solved before the first, then the third
+    levels(1, 2, 3)  # the fewest that can swing
+
+    def swinging(x: Any, *rest: Any, **options: Any) -> float:
+        return true(x, *rest, **options) * (1 + 0.03 * signs.setdefault(x.size, turns[len(signs)]))
+
+    monkeypatch.setattr(solution, "peak_pressure", swinging)
+    result = command("contact", "--geometry", "hertzian", "--load", "77 N", "--json")
+    found = json.loads(result.out)
+    assert found["verdict"] == "undecided"
+    assert "do not converge in peak pressure" in " ".join(found["warnings"])
+    assert result.status == 3
 
 
 @pytest.mark.usefixtures("coarse")

@@ -58,6 +58,8 @@ def test_a_ball_is_in_equilibrium() -> None:
             moment += area * part_x * np.cross((r - y**2 * curvature / 2) * n + y * t, along)
             moment += area * part_y * (np.cross(x * along, t - y * curvature * n) + np.cross(r * n, t))
             friction += np.hypot(part_x, part_y) * area
+        bends = np.sum((t_x * strips.y**2 / 2 - t_y * strips.x * strips.y) * strips.area)
+        np.testing.assert_allclose(race.rolling_moment, bends * (1 / r - 0.5 * (1 / r - 1 / _groove(sign))), rtol=1e-9)
         force -= race.load * n
     w = 900.0
     orbit = w * turned.velocity[0] / turned.orbit
