@@ -1,9 +1,7 @@
 """The page without a browser: what a user changes, and what is shown then."""
 
 import asyncio
-import threading
 import zipfile
-from dataclasses import replace
 from io import BytesIO, StringIO
 from typing import Any
 
@@ -17,7 +15,7 @@ from analytic.scenefile.read import load_scene
 from analytic.scenefile.template import scene_text
 from fembearing.app import evaluation
 from fembearing.app.check import CHECKS, Check
-from fembearing.app.evaluation import Evaluation, at_once
+from fembearing.app.evaluation import Evaluation
 from fembearing.app.page import Page
 from fembearing.app.scene_edit import CATALOG, with_value
 from fembearing.app.server import add_report
@@ -88,31 +86,6 @@ async def test_a_refused_input_has_the_words_of_the_command_beside_its_field(ope
     assert not any(field.error for field in page.fields.values())
     assert "old" not in page.lines["torque"].classes
     assert page.lines["torque"].text != before
-
-
-@pytest.mark.usefixtures("no_curve")
-async def test_outdated_intervals_are_not_computed(opened, settled, monkeypatch: pytest.MonkeyPatch) -> None:
-    found, intervals, released = at_once(scene_text("6206")), [], threading.Event()
-
-    def slow(one: Evaluation) -> Evaluation:
-        intervals.append(one.text)
-        assert released.wait(60)
-        return one
-
-    monkeypatch.setattr(evaluation, "at_once", lambda text: replace(found, text=text))
-    monkeypatch.setattr(evaluation, "completed", slow)
-    _, page = await opened()
-    released.set()
-    await settled(page)
-    released.clear()
-    for number in range(10):
-        page.fields[LOAD].value = f"{700 + number} N"
-        while page.evaluation.text != page.text:  # until it is shown
-            await asyncio.sleep(0.01)
-    released.set()
-    await settled(page)
-    assert intervals[-1] == page.text
-    assert len(intervals) <= 3  # of 11 scenes: the first one, the one at work during the changes, the last one
 
 
 @pytest.mark.usefixtures("no_curve")

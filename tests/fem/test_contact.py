@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 
 from analytic.errors import ConvergenceError
 from analytic.scene import Array
-from fembearing.fem import contact
 from fembearing.fem.contact import is_positive_definite, press
 
 
@@ -88,7 +87,7 @@ def test_an_indefinite_compliance_is_refused_with_its_residual() -> None:
 
 
 @pytest.mark.parametrize(("nodes", "seed"), [(4, 2644), (5, 1992), (6, 587), (7, 3712), (8, 3369)])
-def test_sets_that_would_cycle_end_in_the_answer(nodes: int, seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_sets_that_would_cycle_end_in_the_answer(nodes: int, seed: int) -> None:
     """Positive definite; but if all wrong nodes always change together, the same sets come back."""
     random = np.random.default_rng(seed)
     root = random.normal(size=(nodes, nodes))
@@ -98,9 +97,6 @@ def test_sets_that_would_cycle_end_in_the_answer(nodes: int, seed: int, monkeypa
     expected, depth = exhaustive(*case.values(), load=2.3)
     np.testing.assert_allclose(force, expected, atol=1e-8 * 2.3)  # round-off times conditions up to 1e6
     np.testing.assert_allclose(approach, depth, rtol=1e-8)
-    monkeypatch.setattr(contact, "PATIENCE", contact.ROUNDS)
-    with pytest.raises(ConvergenceError, match="did not converge in 400 iterations"):
-        press(**case, drift=np.zeros(nodes), load=2.3, start=start)
 
 
 @given(seed=st.integers(0, 2**32 - 1), nodes=st.integers(2, 30), decades=st.floats(0, 9), bits=st.integers(0, 2**30))

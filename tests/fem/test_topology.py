@@ -82,29 +82,6 @@ def test_assembled_entries_are_those_of_the_cells_added_one_by_one(pairs: list[P
     np.testing.assert_allclose(held.far_force, far, atol=1e-14 * np.abs(far).max() * 1e3, rtol=0)  # cancelling entries
 
 
-@has_pardiso
-def test_the_memory_is_bounded(pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch) -> None:
-    """Numbers go first, then whole topologies, those used longest ago first; the last one stays, without numbers."""
-    store = kept(monkeypatch)
-    fresh = {side: reduced(pairs[0], side).compliance for side in ("lower", "upper")}
-    lower, upper = store.values()
-    most = lower.memory + upper.memory
-    assert upper.memory > lower.memory > 1e6
-    monkeypatch.setattr(topology, "MOST_MEMORY", most)
-    reduced(pairs[0], "upper")
-    assert lower.memory + upper.memory == most  # as much as may be kept
-    monkeypatch.setattr(topology, "MOST_MEMORY", most - 1)
-    np.testing.assert_array_equal(reduced(pairs[0], "upper").compliance, fresh["upper"])
-    assert list(store.values()) == [lower, upper]
-    assert lower.memory + upper.memory < most
-    np.testing.assert_array_equal(reduced(pairs[0], "lower").compliance, fresh["lower"])
-    monkeypatch.setattr(topology, "MOST_MEMORY", 1)
-    before = upper.memory
-    np.testing.assert_array_equal(reduced(pairs[0], "upper").compliance, fresh["upper"])
-    assert list(store.values()) == [upper]
-    assert upper.memory <= before
-
-
 @pytest.mark.usefixtures("solver")
 def test_a_solution_is_that_of_its_own_matrix() -> None:
     """After the other body of the same topology was factored, after the same one, and before any was."""
