@@ -62,9 +62,9 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 @pytest.fixture(scope="session")
 def contacts() -> "dict[str, Contact]":
     """The race contacts of a 6205."""
-    from tests.contacts import INNER, OUTER  # it loads NumPy: not before the threads are set
+    from tests.contacts import CONTACTS  # it loads NumPy: not before the threads are set
 
-    return {"inner": INNER, "outer": OUTER}
+    return CONTACTS
 
 
 @pytest.fixture(scope="session")

@@ -24,3 +24,4 @@ OUTER = replace(
 )
 INNER_RING = Ring(bottom_radius=15.53e-3, seat_radius=12.5e-3, width=15e-3, shoulder_half_widths=(3.1e-3, 3.1e-3))
 OUTER_RING = replace(INNER_RING, bottom_radius=23.48e-3, seat_radius=26e-3)
+CONTACTS = {"inner": INNER, "outer": OUTER}

@@ -51,8 +51,3 @@ def test_a_program_runs_and_draws_a_picture(program: Path, monkeypatch: pytest.M
     plt.close("all")
     assert figures
     assert all(figure.get_axes() for figure in figures)
-
-
-def test_there_are_examples() -> None:
-    assert NOTEBOOKS
-    assert len(PROGRAMS) >= 8

@@ -48,22 +48,6 @@ def test_an_order_near_the_formal_one_is_covered(formal: float, off: float, slop
     assert abs(part.value - 7.3) <= part.mesh * abs(part.values[-1])
 
 
-def test_a_quantity_without_formal_order_is_not_extrapolated() -> None:
-    """Its interval is the error that order 3 would leave, plus 0.03 %."""
-    values = sequence(7.3, 0.4, 3.0)
-    part = estimate(values, SIZES, formal_order=None)
-    assert part.richardson is None
-    assert part.value == values[-1]
-    np.testing.assert_allclose(
-        part.mesh, abs(values[-1] - 7.3) / values[-1] + NOT_BY_CHANCE + NOTHING_CLOSER, rtol=1e-9
-    )  # round-off of a change
-
-
-def test_a_last_change_that_is_small_by_chance_is_not_trusted() -> None:
-    part = estimate((7.1, 7.3001, 7.3), SIZES, formal_order=None)
-    assert NOT_BY_CHANCE + NOTHING_CLOSER < part.mesh < NOT_BY_CHANCE + NOTHING_CLOSER + 1e-4 / 7.3
-
-
 @pytest.mark.parametrize(
     "values",
     [(1.3, 1.1, 1.2), (1.1, 1.3, 1.2), (1.3, 1.3, 1.3), (1.0, 1.1, 1.4)],
@@ -95,11 +79,6 @@ def test_below_the_formal_order_roaches_index_is_three_times_the_error(formal: f
     part = estimate(sequence(7.3, 0.4, order), SIZES, formal_order=formal)
     # Tolerance: the order comes from a root search
     np.testing.assert_allclose(present(part.grid_convergence_index), 3 * abs(7.3 / part.values[-1] - 1), rtol=1e-5)
-
-
-@pytest.mark.parametrize("values", [(1.3, 1.1, 1.2), (7.2, 7.3)])
-def test_without_an_order_there_is_no_index(values: tuple[float, ...]) -> None:
-    assert estimate(values, SIZES[-len(values) :], formal_order=3.0).grid_convergence_index is None
 
 
 def test_the_mesh_may_err_by_what_the_domain_leaves_of_the_accuracy() -> None:

@@ -4,15 +4,7 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.options import (
-    AsJson,
-    Given,
-    Named,
-    Output,
-    Samples,
-    Talk,
-    require_scene_first,
-)
+from fembearing.cli.options import AsJson, Given, Named, Output, Samples, Talk, require_scene_first
 from fembearing.cli.status import STATUS
 
 Data = Annotated[

@@ -2,15 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from fembearing.cli.options import (
-    AsJson,
-    Given,
-    Output,
-    SceneName,
-    Talk,
-    Tolerance,
-    read_tolerance,
-)
+from fembearing.cli.options import AsJson, Given, Output, SceneName, Talk, Tolerance, read_tolerance
 
 if TYPE_CHECKING:  # the solver takes a second to import
     from fembearing.check.cost.scene_cost import Cost

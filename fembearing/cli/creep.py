@@ -61,12 +61,7 @@ def creep(
     trouble = None
     with talk.progress() as progress, output.opened() as place:
         result = creep_of(
-            read,
-            load=read_load(load),
-            friction=coefficient,
-            tolerance=limit,
-            compliance=compliance,
-            progress=progress,
+            read, load=read_load(load), friction=coefficient, tolerance=limit, compliance=compliance, progress=progress
         )
         if place is not None:
             trouble = write_creep(result, place)

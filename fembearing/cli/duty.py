@@ -4,14 +4,7 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.options import (
-    AsJson,
-    Given,
-    Named,
-    Output,
-    Talk,
-    require_scene_first,
-)
+from fembearing.cli.options import AsJson, Given, Named, Output, Talk, require_scene_first
 from fembearing.cli.status import STANDING_STATUS
 
 CycleFile = Annotated[
@@ -20,14 +13,7 @@ CycleFile = Annotated[
 ]
 
 
-def duty(
-    given: Given,
-    output: Output,
-    talk: Talk,
-    scene: Named,
-    cycle: CycleFile,
-    as_json: AsJson = False,
-) -> None:
+def duty(given: Given, output: Output, talk: Talk, scene: Named, cycle: CycleFile, as_json: AsJson = False) -> None:
     """Friction energy of a duty cycle, with mean and worst torque, each with its 95 % interval.
 
     Columns of the cycle: duration, and one or more of inner_speed, axial_load, radial_load and temperature. The scene

@@ -24,8 +24,7 @@ def export(
     ],
     scene: SceneName = None,
     file: Annotated[
-        Path | None,
-        typer.Option("--out", "-o", help="New file (default: named after bearing and format)."),
+        Path | None, typer.Option("--out", "-o", help="New file (default: named after bearing and format).")
     ] = None,
     force: Force = False,
 ) -> None:

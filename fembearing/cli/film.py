@@ -4,17 +4,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from fembearing.cli.options import (
-    AsJson,
-    Bodies,
-    Given,
-    Load,
-    Output,
-    SceneName,
-    Talk,
-    read_load,
-    read_tolerance,
-)
+from fembearing.cli.options import AsJson, Bodies, Given, Load, Output, SceneName, Talk, read_load, read_tolerance
 from fembearing.cli.status import reached
 
 Tolerance = Annotated[
@@ -53,12 +43,7 @@ def film(
 
     with talk.progress() as progress, output.opened() as place:
         result = film_of(
-            read,
-            pair=pair,
-            load=read_load(load),
-            tolerance=limit,
-            compliance=compliance,
-            progress=progress,
+            read, pair=pair, load=read_load(load), tolerance=limit, compliance=compliance, progress=progress
         )
         if place is not None:
             write_all(film_files(result), place)

@@ -225,8 +225,7 @@ WithInterval = Annotated[
     typer.Option("--interval", help="Compute the 95 % interval of the torque from 512 or more samples, on all cores."),
 ]
 Samples = Annotated[
-    int | None,
-    typer.Option(help="Number of samples of the interval (default: 512, or more until its ends converge)."),
+    int | None, typer.Option(help="Number of samples of the interval (default: 512, or more until its ends converge).")
 ]
 AsJson = Annotated[bool, typer.Option("--json", help="Print the result as JSON only.")]
 Load = Annotated[str | None, typer.Option(help='Load of the ball, for example "620 N" (default: from the scene).')]

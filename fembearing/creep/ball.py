@@ -21,13 +21,7 @@ from fembearing.creep.friction import sliding_law
 from fembearing.creep.half_space import HalfSpaces, Influence
 from fembearing.creep.kinematics import RaceMotion, RigidSlip, rigid_slip, slip_rates
 from fembearing.creep.place import HeldBall, Lie, UnitContact, free_lengths, unit_under
-from fembearing.creep.rolling import (
-    RollingFriction,
-    RollingSurfaces,
-    pressed_slip,
-    rolling_friction,
-    rolling_surfaces,
-)
+from fembearing.creep.rolling import RollingFriction, RollingSurfaces, pressed_slip, rolling_friction, rolling_surfaces
 from fembearing.creep.strips import Strips, ellipse_strips, hertz_pressure
 
 MOST_STEPS = 80  # of the ball; 5 to 15 are usual

@@ -39,17 +39,7 @@ class SlidingLaw:
     def resist(self, reach: Array, stiffness: Array) -> tuple[Array, Array]:
         """Stress T with T + stiffness s = reach where the slip s has the stress T, and dT/d reach.
 
-        Parameters
-        ----------
-        reach : ndarray
-            Traction that would act without slip, Pa, (n,), >= 0.
-        stiffness : ndarray
-            Traction over slip, Pa, (n,), > 0.
-
-        Returns
-        -------
-        tuple of ndarray
-            Stress, Pa, and slope, each (n,).
+        reach : traction that would act without slip, Pa, (n,), >= 0;  stiffness : traction over slip, Pa, (n,), > 0
         """
         stress, slope = np.minimum(reach, self.steady), (reach <= self.steady).astype(float)
         if not np.any(self.eyring):

@@ -25,36 +25,16 @@ class Influence(Protocol):
     def by_traction(self, strips: Strips, x: Array, y: Array) -> Array:
         """Displacement of the ball less that of the race by a unit traction on one rectangle.
 
-        Parameters
-        ----------
-        strips : Strips
-            The rectangles.
-        x, y : ndarray
-            Points of the surface, m, (points,).
-
-        Returns
-        -------
-        ndarray
-            Along x and y, by traction along x and y, m/Pa, (2, 2, points, rectangles).
+        x, y : points of the surface, m, (points,)
+        It is along x and y, by traction along x and y, m/Pa, (2, 2, points, rectangles).
         """
         ...
 
     def by_pressure(self, strips: Strips, pressure: Array, x: Array, y: Array) -> Array:
         """Tangential displacement of the ball less that of the race by all pressure.
 
-        Parameters
-        ----------
-        strips : Strips
-            The rectangles.
-        pressure : ndarray
-            On the rectangles, Pa, (strips, cells).
-        x, y : ndarray
-            Points of the surface, m, (points,).
-
-        Returns
-        -------
-        ndarray
-            Along x and y, m, (2, points); 0 for like materials.
+        pressure : on the rectangles, Pa, (strips, cells);  x, y : points of the surface, m, (points,)
+        It is along x and y, m, (2, points); 0 for like materials.
         """
         ...
 

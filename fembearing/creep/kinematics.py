@@ -51,12 +51,7 @@ def slip_rates(race: RaceMotion, angle: float, orbit: float) -> tuple[Array, Arr
     bend = -1 / (2 * race.surface_radius * r)
     turn, ring_turn = np.array([0, 0, -n_z, n_r]), -ring * n_r * r  # r W_t
     rates = np.stack(
-        [
-            turn + np.array([1, 0, 0, 0]),
-            bend * turn,
-            np.array([0, -1, 0, 0]),
-            np.array([0, 0, n_r, n_z]) / r,
-        ]
+        [turn + np.array([1, 0, 0, 0]), bend * turn, np.array([0, -1, 0, 0]), np.array([0, 0, n_r, n_z]) / r]
     )
     return rates, np.array([ring_turn - ring * orbit, bend * ring_turn, 0, -ring * n_z])
 

@@ -31,22 +31,7 @@ class Lie(NamedTuple):
 
 
 def unit_under(bearing: Bearing, race: Race, angle: float) -> UnitContact:
-    """A contact at a contact angle, by Hertz.
-
-    Parameters
-    ----------
-    bearing : Bearing
-        SI.
-    race : {"inner", "outer"}
-        The race.
-    angle : float
-        Contact angle, rad, in [-pi/2, pi/2].
-
-    Returns
-    -------
-    UnitContact
-        Under 1 N.
-    """
+    """A contact at a contact angle, rad, in [-pi/2, pi/2], by Hertz."""
     along, across = race_curvatures(bearing, race, contact_angle=abs(angle))
     modulus = race_numbers(bearing, race).modulus
     unit = hertz_contact(curvature_x=along, curvature_y=across, load=1.0, modulus=modulus)
@@ -54,18 +39,7 @@ def unit_under(bearing: Bearing, race: Race, angle: float) -> UnitContact:
 
 
 def free_lengths(bearing: Bearing) -> tuple[float, float]:
-    """From the centres of both grooves to that of a ball without load.
-
-    Parameters
-    ----------
-    bearing : Bearing
-        SI.
-
-    Returns
-    -------
-    tuple of float
-        r_g - r of the inner and the outer groove, m.
-    """
+    """r_g - r of the inner and the outer groove, m: from the centres of both to that of a ball without load."""
     return bearing.inner.groove_radius - bearing.ball_radius, bearing.outer.groove_radius - bearing.ball_radius
 
 

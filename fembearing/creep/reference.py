@@ -122,8 +122,5 @@ def estimate(values: tuple[float, ...], sizes: tuple[float, ...]) -> Estimate:
     uncertainty = CAUTIOUS * max(abs(step), abs(foretold) / 2) + FLOOR * abs(fine)
     value = fine + OF_STEP * step
     return Estimate(
-        values=values,
-        order=observed_order(values, sizes),
-        richardson=value,
-        mesh=uncertainty / max(abs(value), TINY),
+        values=values, order=observed_order(values, sizes), richardson=value, mesh=uncertainty / max(abs(value), TINY)
     )

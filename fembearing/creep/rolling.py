@@ -60,18 +60,7 @@ class RollingSurfaces:
         return 2 / (own[0, :, 0].diagonal() + own[1, :, 1].diagonal())
 
     def scaled(self, factor: float) -> "RollingSurfaces":
-        """The same for a contact `factor` times as large in both directions; exact for half spaces.
-
-        Parameters
-        ----------
-        factor : float
-            Of all lengths, > 0.
-
-        Returns
-        -------
-        RollingSurfaces
-            With the same gradient.
-        """
+        """The same for a contact with all lengths `factor` times as large; exact for half spaces."""
         return RollingSurfaces(strips=self.strips.scaled(factor), gradient=self.gradient)
 
 

@@ -55,29 +55,13 @@ class Strips:
         return np.repeat((self.length * self.width)[:, None], self.cells, axis=1)
 
     def scaled(self, factor: float) -> "Strips":
-        """The same strips, `factor` times as large in both directions.
-
-        Parameters
-        ----------
-        factor : float
-            Of all lengths, > 0.
-
-        Returns
-        -------
-        Strips
-            With as many rectangles.
-        """
+        """The same strips, with all lengths `factor` times as large."""
         sizes = {name: factor * getattr(self, name) for name in ("middle", "width", "rear", "front")}
         return replace(self, **sizes)
 
 
 def ellipse_strips(
-    *,
-    semi_axis_rolling: float,
-    semi_axis_transverse: float,
-    count: int,
-    cells: int,
-    sides: Sequence[float] = (),
+    *, semi_axis_rolling: float, semi_axis_transverse: float, count: int, cells: int, sides: Sequence[float] = ()
 ) -> Strips:
     """Strips over an ellipse, narrower where slip turns round and at the ends.
 

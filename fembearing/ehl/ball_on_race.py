@@ -20,26 +20,12 @@ def lubricated_contact(
 ) -> LubricatedContact:
     """A ball on a race with oil, as the numerical solution needs it.
 
-    Parameters
-    ----------
-    contact : Contact
-        Ball and race under load; oil ends at the mean distance of both shoulders, and nothing else is taken from them.
-    oil : Oil or None
-        At the temperature of the inlet; None, a dry contact, is refused.
-    entrainment_speed : float
-        Mean of both surfaces relative to the contact, m/s, of either sign.
-    ahead, behind : float, optional
-        How far the oil reaches in the inlet and in the outlet, m; 0.9 of the ball's radius if not given.
-
-    Returns
-    -------
-    LubricatedContact
-        Elastic half spaces with the true circles of ball and race.
-
-    Raises
-    ------
-    InputError
-        For a pocket, a dry contact, and all that `LubricatedContact` refuses.
+    contact : oil ends at the mean distance of both shoulders, and nothing else is taken from them
+    oil : at the temperature of the inlet; None, a dry contact, is refused
+    entrainment_speed : mean of both surfaces relative to the contact, m/s, of either sign
+    ahead, behind : how far the oil reaches in the inlet and in the outlet, m; None: 0.9 of the ball's radius
+    The bodies are elastic half spaces with the true circles of ball and race.
+    Raises InputError for a pocket, a dry contact, and all that `LubricatedContact` refuses.
     """
     if contact.pair == "pocket":
         raise InputError("a ball slides in its pocket: the numerical film is that of a ball that rolls on a race")

@@ -46,15 +46,8 @@ class AddedCompliance(Protocol):
     def normal_influence(self, place: tuple[Array, Array], loaded: tuple[Array, Array]) -> Array:
         """Displacement of the surfaces from each other by unit normal forces on them.
 
-        Parameters
-        ----------
-        place, loaded : tuple of ndarray, shapes (m,) and (n,)
-            x and y of the displacement and of the forces, m; the contact's centre is the origin.
-
-        Returns
-        -------
-        ndarray, shape (m, n)
-            m/N, symmetric in y: mirrored places and forces have the same.
+        place, loaded : x and y, (m,) and (n,), of the displacement and of the forces, m, from the contact's centre
+        The displacement is (m, n), m/N, symmetric in y: mirrored places and forces have the same.
         """
         ...
 

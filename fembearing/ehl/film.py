@@ -53,22 +53,8 @@ class NumericalFilm:
 def numerical_film(contact: LubricatedContact, *, refinement: float = USUAL) -> NumericalFilm:
     """Solve a contact on three grids and extrapolate.
 
-    Parameters
-    ----------
-    contact : LubricatedContact
-        The problem, SI.
-    refinement : float
-        Of the middle grid: cells over those of the usual sizes, dimensionless.
-
-    Returns
-    -------
-    NumericalFilm
-        Each quantity with its relative uncertainty, and the maps of the finest grid.
-
-    Raises
-    ------
-    ConvergenceError
-        Where Newton's method does not settle; the message names M, L and lambda.
+    refinement : of the middle grid: cells over those of the usual sizes, dimensionless
+    Raises ConvergenceError where Newton's method does not settle; the message names M, L and lambda.
     """
     begun = time.perf_counter()
     refinements = refinement / RATIO, refinement, refinement * RATIO

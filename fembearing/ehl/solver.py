@@ -282,10 +282,7 @@ class Discretised:
     def balanced(self, pressure: Array, film: Array, speed: float) -> Balance:
         """Reynolds's equation at pressure and film, (n,)."""
         return balance(
-            self._fluid(pressure, film, speed),
-            grid=self.grid,
-            gap=self.gap_beyond,
-            epsilon=self.epsilon / speed,
+            self._fluid(pressure, film, speed), grid=self.grid, gap=self.gap_beyond, epsilon=self.epsilon / speed
         )
 
     def path(self, starts: list[tuple[float, Start]], *, last: float) -> list[tuple[float, Start]]:

@@ -14,11 +14,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from analytic.errors import InputError
-from analytic.scene import Contact
+from analytic.scene import Array, Contact
 from analytic.words import length_of
 from fembearing.fem.elasticity import require_elastic, surface_mass
 from fembearing.fem.half_space import contact_modulus
@@ -31,7 +30,6 @@ from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.race import block_of_race, race_height
 from fembearing.mesh.recipe import Recipe
 
-Array = NDArray[np.float64]
 Places = tuple[Array, Array]  # x and y
 DEGREES: tuple[tuple[Axis, int], ...] = ((ALONG, 3), (ACROSS, 3), (NORMAL, 4))  # of all that is sampled
 EVEN = tuple(Term(NORMAL, *powers) for powers in ((0, 0), (2, 0), (0, 2), (4, 0), (2, 2), (0, 4)))
@@ -67,17 +65,9 @@ class PairCompliance:
     def added_displacement(self, x: Array, y: Array, force: Array) -> Array:
         """What the true shapes add to the displacement of the half spaces, under a pressure even in x and y.
 
-        Parameters
-        ----------
-        x, y : ndarray, shape (m,)
-            Places in the plane tangent at the centre of the contact, m, of the whole contact or of a quarter.
-        force : ndarray, shape (m,)
-            Normal force on the surface around each place, N; four times that of a quarter.
-
-        Returns
-        -------
-        ndarray, shape (m,)
-            Relative displacement of the surfaces along their normals, m, from each other.
+        x, y : (m,) places in the plane tangent at the centre of the contact, m, of the whole contact or of a quarter
+        force : (m,) normal force on the surface around each place, N; four times that of a quarter
+        The displacement, (m,), m, is that of the surfaces along their normals, from each other.
         """
         own = [number for number, term in enumerate(self.terms) if term in EVEN]
         values = self._values(x, y)[:, own]
@@ -86,19 +76,11 @@ class PairCompliance:
     def added_influence(self, place: Places, loaded: Places, *, moves: Axis, by: Axis) -> Array:
         """What the true shapes add to the displacement along one axis by unit forces along another one.
 
-        Parameters
-        ----------
-        place, loaded : tuple of ndarray, shapes (m,) and (n,)
-            x and y of the displacement and of the forces in the plane tangent at the centre of the contact, m.
-        moves, by : {0, 1, 2}
-            Along rolling, across it, or along the normals. A tangential force acts on the ball and its opposite on the
-            race, and the displacement is that of the ball less that of the race; along the normals the surfaces are
-            pushed, and move, from each other.
-
-        Returns
-        -------
-        ndarray, shape (m, n)
-            m/N.
+        place, loaded : x and y, (m,) and (n,), of the displacement and of the forces in the plane tangent at the centre
+            of the contact, m
+        moves, by : along rolling, across it, or along the normals
+        A tangential force acts on the ball and its opposite on the race, and the displacement, (m, n), m/N, is that of
+        the ball less that of the race; along the normals the surfaces are pushed, and move, from each other.
         """
         moving, pushing = (
             [number for number, term in enumerate(self.terms) if term.axis == axis] for axis in (moves, by)

@@ -14,7 +14,7 @@ from scipy.linalg import LinAlgError
 from scipy.sparse import csr_matrix, hstack
 
 from analytic.errors import SingularError
-from analytic.scene import Material
+from analytic.scene import Array, Material
 from fembearing.fem.contact import is_positive_definite
 from fembearing.fem.elasticity import CELL, PAIRS, cell_stiffness, surface_mass
 from fembearing.fem.farfield import pressed_ellipse
@@ -22,7 +22,6 @@ from fembearing.fem.topology import Topology, topology_of
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import UNCUT
 
-Array = NDArray[np.float64]
 UNBALANCED = 1e-8  # relative residual force; round-off leaves less than 1e-12
 RIGID = 6  # motions without deformation
 REMEDY = "Check that it is held, its modulus, Poisson ratio (below 0.5) and mesh."
@@ -143,8 +142,7 @@ class HeldBody:
                 remedy = "Ask for a larger tolerance, which takes a coarser mesh."
                 raise SingularError(problem=f"{equations} do not fit into memory", remedy=remedy) from problem
             raise SingularError(
-                problem=f"{equations} have no single answer: {str(problem).rstrip('.')}",
-                remedy=REMEDY,
+                problem=f"{equations} have no single answer: {str(problem).rstrip('.')}", remedy=REMEDY
             ) from problem
 
 

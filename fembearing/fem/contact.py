@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cholesky
 
 from analytic.errors import ConvergenceError
+from analytic.scene import Array
 
-Array = NDArray[np.float64]
 ROUNDS = 400  # two to eight are usual; 25 nodes whose compliance spans nine decades took 48 at most
 PATIENCE = 3  # rounds without a decrease of the wrong nodes, after which nodes change one at a time
 ROUND_OFF = 1e-12  # relative, of an overlap, and of a pivot in the factorisation of the compliance

@@ -8,10 +8,8 @@ from skfem.quadrature import get_quadrature
 from skfem.refdom import RefQuad
 
 from analytic.errors import InputError, require_positive
-from analytic.scene import Contact, Material
+from analytic.scene import Array, Contact, Material
 from fembearing.mesh.hexahedron import ShapeFunctions, cofactors, gauss_points, jacobian, shape_functions
-
-Array = NDArray[np.float64]
 
 QUADRATURE = 5  # degree: 3 points in each direction, exact for a quadratic cell that is a brick
 # Above this Poisson ratio the change of volume is integrated with 2 points in each direction. With 3 a quadratic cell

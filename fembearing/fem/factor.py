@@ -15,12 +15,13 @@ from scipy.linalg import LinAlgError
 from scipy.sparse import csr_matrix, hstack, triu, vstack
 from scipy.sparse.linalg import splu
 
+from analytic.scene import Array
+
 try:  # the package's public class factors before it can be told which columns are the border
     from pymklpardiso._mkl_pardiso import PardisoSolver
 except ImportError:  # other processors than x86-64 have no MKL
     PardisoSolver = None
 
-Array = NDArray[np.float64]
 OUT_OF_MEMORY = ("not enough memory", "32-bit integer overflow", "not enough out-of-core memory")  # in its errors
 RELEASE, ANALYSIS, NUMBERS, FORWARD, BACKWARD = 0, 11, 22, 331, 333  # phases of PARDISO
 PERMANENT, FACTORS = 16, 17  # its counts of memory, kB

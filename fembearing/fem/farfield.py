@@ -6,11 +6,8 @@ some per cent too stiff. This condition is exact up to the moments of the pressu
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from analytic.scene import Material
-
-Array = NDArray[np.float64]
+from analytic.scene import Array, Material
 
 
 def point_load(x: Array, y: Array, depth: Array, *, material: Material) -> Array:
@@ -44,21 +41,9 @@ def tangential_point_load(x: Array, y: Array, depth: Array, *, material: Materia
 def loaded_surface(place: Array, loaded: Array, force: Array, *, material: Material) -> Array:
     """Displacement of a half space under point forces on its surface.
 
-    Parameters
-    ----------
-    place : ndarray, shape (3, n)
-        x, y and depth, m, of places away from the forces.
-    loaded : ndarray, shape (2, m)
-        x and y of the forces, m.
-    force : ndarray, shape (3, m, k)
-        k sets of forces, N; the third component points into the body.
-    material : Material
-        Of the half space.
-
-    Returns
-    -------
-    ndarray, shape (3, n, k)
-        Displacement, m; the third component points into the body.
+    place : (3, n) x, y and depth, m, of places away from the forces;  loaded : (2, m) x and y of the forces, m
+    force : (3, m, k) k sets of forces, N
+    The displacement is (3, n, k), m; third components point into the body.
     """
     x, y = (place[axis][:, None] - loaded[axis] for axis in range(2))
     depth = np.broadcast_to(place[2][:, None], x.shape)

@@ -12,14 +12,12 @@ Source: [Johnson1985] section 4.2, whose integrals over the potential of an elli
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 from scipy.special import elliprd, elliprf
 
-from analytic.scene import Contact, Material
+from analytic.scene import Array, Contact, Material
 from fembearing.fem.measure import Quantities
 
-Array = NDArray[np.float64]
 ROUND_OFF = 1e-15  # of the logarithm of an axis ratio
 
 

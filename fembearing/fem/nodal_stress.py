@@ -31,10 +31,3 @@ def stress_at_nodes(mesh: MeshHex2, displacement: Array, material: Material) -> 
     numbers, count = basis.element_dofs.ravel(), mesh.doflocs.shape[1]
     sums = np.array([np.bincount(numbers, part.ravel(), minlength=count) for part in values])
     return sums / np.bincount(numbers, minlength=count)
-
-
-def von_mises(stress: Array) -> Array:
-    """Equivalent stress (nodes,), Pa, of stresses (6, nodes) in the order of `stress_at_nodes`."""
-    xx, yy, zz, *shear = stress
-    normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
-    return np.sqrt(normal / 2 + 3 * np.square(shear).sum(axis=0))

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.errors import ConvergenceError
-from analytic.scene import Contact
+from analytic.scene import Array, Contact
 from fembearing.fem.compliance import PairCompliance
 from fembearing.fem.contact import press
 from fembearing.fem.half_space import curvatures_under, exact_quantities, pressed_rectangle
@@ -24,7 +24,6 @@ from fembearing.fem.twin import QUARTERS, shared_axes
 from fembearing.mesh.footprint import as_quarter
 from fembearing.mesh.race import distance_to_race
 
-Array = NDArray[np.float64]
 WIDEST = 1.2  # semi-axes from the centre to the farthest pixels
 PIXELS = 16  # in each direction over `WIDEST` semi-axes; with 24 no quantity of 6 contacts changed by more than 0.01 %
 SAME = 1e-7  # change of the added displacement in a round, over the approach

@@ -8,16 +8,15 @@ averaged with the forces as weights.
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from analytic.errors import InputError
+from analytic.scene import Array
 from analytic.words import length_of
 from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import RingPiece, into_ring, ring_piece
 
-Array = NDArray[np.float64]
 End = Literal["free", "held"]
 HALVES = 2  # the meshed piece is one half of the loaded ring
 

@@ -10,10 +10,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_positive
-from analytic.scene import Contact
+from analytic.scene import Array, Contact
 from fembearing.fem.solution import (
     CondensedPair,
     MeshSolution,
@@ -25,7 +25,6 @@ from fembearing.fem.solution import (
 from fembearing.mesh.footprint import Sides, shoulders_of
 from fembearing.mesh.recipe import Recipe
 
-Array = NDArray[np.float64]
 # Ellipse of the contact over the ellipse of its mesh. Within these bounds the error of the approach on a third level is
 # at most 0.41 % (worst case on idealised contacts, validation/benchmarks/calibrations.py). Below, too few cells carry
 # the contact; from 1.4 on it reaches beyond the nodes that may touch.

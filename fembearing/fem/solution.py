@@ -5,11 +5,10 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
 from analytic.errors import ConvergenceError
-from analytic.scene import Contact, Material
+from analytic.scene import Array, Contact, Material
 from fembearing.fem.condensation import CondensedBody, condense
 from fembearing.fem.contact import press
 from fembearing.fem.elasticity import require_elastic, strip_integrals, surface_mass
@@ -31,7 +30,6 @@ from fembearing.mesh.footprint import Sides
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import Recipe
 
-Array = NDArray[np.float64]
 # Deviation of the ellipse from that of its mesh, in semi-axes. A mesh that is 1 % too large or too small changes no
 # quantity by more than its own discretisation error (validation/benchmarks/calibrations.py); at 3 % the extrapolation
 # of a semi-axis is off by three times its uncertainty.

@@ -14,13 +14,12 @@ from scipy.optimize import minimize_scalar
 from skfem import Basis, ElementHex2
 
 from analytic.errors import InputError
-from analytic.scene import Material
+from analytic.scene import Array, Material
 from fembearing.fem.condensation import held_stiffness, middle_plane
 from fembearing.fem.elasticity import lame_parameters
 from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.bodies import BodyMesh
 
-Array = NDArray[np.float64]
 Side = Literal["upper", "lower"]
 DEEPEST = 3.0  # end of a curve, in minor semi-axes; both maxima lie within 0.8
 POINTS = 301  # in a curve
@@ -76,9 +75,9 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
     spline = make_lsq_spline(even(place), stresses, np.concatenate([ends[0], knots, ends[1]]), k=degree)
     depth = np.linspace(0.0, min(DEEPEST * minor, lines[-1]), POINTS)
     stress = spline(even(depth)).T
-    shear, mises = _max_shear(stress), _von_mises(stress)
+    shear, mises = _max_shear(stress), von_mises(stress)
     greatest_shear, shear_depth = _greatest(depth, shear, lambda at: float(_max_shear(spline(even(at)))))
-    greatest_mises, mises_depth = _greatest(depth, mises, lambda at: float(_von_mises(spline(even(at)))))
+    greatest_mises, mises_depth = _greatest(depth, mises, lambda at: float(von_mises(spline(even(at)))))
     return SubsurfaceStress(
         depth=depth,
         stress=stress,
@@ -150,10 +149,11 @@ def _max_shear(stress: Array) -> Array:
     return (stress.max(axis=0) - stress.min(axis=0)) / 2
 
 
-def _von_mises(stress: Array) -> Array:
-    """Equivalent stress of von Mises from principal stresses (3, ...)."""
-    x, y, z = stress
-    return np.sqrt(((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) / 2)
+def von_mises(stress: Array) -> Array:
+    """Equivalent stress, Pa, of stresses xx, yy, zz, and xy, yz, xz unless the three are principal, (3 or 6, ...)."""
+    xx, yy, zz, *shear = stress
+    normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+    return np.sqrt(normal / 2 + 3 * np.square(shear).sum(axis=0))
 
 
 def _greatest(depth: Array, values: Array, measure: Any) -> tuple[float, float]:

@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
+from analytic.scene import Array
 from fembearing.fem.elasticity import AT_ONCE, CELL, PAIRS
 from fembearing.fem.factor import Factor, new_factor
 
-Array = NDArray[np.float64]
 Numbers = NDArray[np.intp]
 MOST_MEMORY = 2**29  # bytes kept; the third level of two bodies takes half of it
 

@@ -16,16 +16,14 @@ from itertools import product
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from analytic.scene import Material
+from analytic.scene import Array, Material
 from fembearing.fem.condensation import HeldBody, nodal_forces
 from fembearing.fem.elasticity import cell_stiffness
 from fembearing.fem.farfield import loaded_surface
 from fembearing.fem.topology import topology_of
 from fembearing.mesh.bodies import BodyMesh
 
-Array = NDArray[np.float64]
 Axis = Literal[0, 1, 2]
 ALONG: Axis = 0
 ACROSS: Axis = 1
@@ -53,25 +51,11 @@ def worked(
 ) -> Array:
     """Work of each load on the displacement by each other one, on a quarter of a body.
 
-    Parameters
-    ----------
-    body : BodyMesh
-        A quarter of a ball, of the block of a race, or of a half space.
-    material : Material
-        Of the body.
-    directions : ndarray, shape (3, 3, m)
-        Unit vectors along which loads of each axis push the touching nodes.
-    terms : tuple of Term
-        Of the loads.
-    force : ndarray, shape (m, terms)
-        On the touching nodes, N.
-    depth : {1, -1}
-        Sign of z inside the body.
-
-    Returns
-    -------
-    ndarray, shape (terms, terms)
-        N m; 0 between loads of unlike parity. Symmetric as far as the far boundary fits the mesh.
+    body : a quarter of a ball, of the block of a race, or of a half space
+    directions : (3, 3, m) unit vectors along which loads of each axis push the touching nodes
+    force : (m, terms) on the touching nodes, N;  depth : 1 or -1, sign of z inside the body
+    The work, (terms, terms), N m, is 0 between loads of unlike parity, and symmetric as far as the far boundary fits
+    the mesh.
     """
     entries, work = cell_stiffness(body.mesh, material), np.zeros((len(terms), len(terms)))
     for parity in PARITIES:

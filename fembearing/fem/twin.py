@@ -20,10 +20,9 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
-from analytic.scene import Contact, Material
+from analytic.scene import Array, Contact, Material
 from fembearing.fem.condensation import CondensedBody, condense
 from fembearing.fem.contact import press
 from fembearing.fem.elasticity import surface_mass
@@ -38,7 +37,6 @@ from fembearing.mesh.half_space import flat_block
 from fembearing.mesh.race import block_of_race
 from fembearing.mesh.recipe import Recipe
 
-Array = NDArray[np.float64]
 GOOD = (0.1, 0.02)  # deviation of the corrected ellipse from that of its mesh, in semi-axes: first level, finer ones
 FARTHEST = 0.3  # the same before the correction, beyond which an ellipse is not measured well enough to correct it
 MOST_GUESSES = 3  # one is usual

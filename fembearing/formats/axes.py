@@ -18,12 +18,7 @@ from fembearing.quantities import METRIC
 
 Axes = Mapping[str, Array]  # by the names of OPTIONS, in their order; each ascending, SI
 OPTIONS = ("speed", "axial_load", "radial_load", "temperature")
-SHOWN: dict[str, Unit] = {
-    "speed": RPM,
-    "axial_load": NEWTON,
-    "radial_load": NEWTON,
-    "temperature": METRIC.temperature,
-}
+SHOWN: dict[str, Unit] = {"speed": RPM, "axial_load": NEWTON, "radial_load": NEWTON, "temperature": METRIC.temperature}
 EXAMPLES = {
     "speed": "0 rpm to 6000 rpm in 15",
     "axial_load": "100 N to 1 kN in 5 log",

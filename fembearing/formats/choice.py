@@ -146,9 +146,5 @@ def export_of(
     if form.has_torque and cage is not None and cage.start and found.scene.effects.get("cage_dynamics") != "off":
         warnings[MOVING_CAGE] = None
     return Exported(
-        file=file,
-        axes=axes_in_words(axes),
-        notes=notes,
-        standing=worst_standing(torques),
-        warnings=tuple(warnings),
+        file=file, axes=axes_in_words(axes), notes=notes, standing=worst_standing(torques), warnings=tuple(warnings)
     )

@@ -169,11 +169,7 @@ def _interval(law: TorqueOverAxes, axes: Axes, progress: Progress) -> Array:
     sizes = [values.size for values in chosen.values()]
     temperatures = chosen.pop("temperature", [None])
     settled = law.found.scene
-    balanced = replace(
-        settled,
-        operation=_operation(chosen, settled.operation),
-        spin_rule="balanced",
-    )
+    balanced = replace(settled, operation=_operation(chosen, settled.operation), spin_rule="balanced")
     found = []
     for number, temperature in enumerate(temperatures):
         progress((1 + number) / (1 + len(temperatures)), "interval")

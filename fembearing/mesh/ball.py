@@ -1,16 +1,13 @@
 """The ball: an octant or a quarter, from the pole, where the contact is, to the middle plane."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from analytic.scene import Contact
+from analytic.scene import Array, Contact
 from fembearing.mesh.bodies import Block, BodyMesh, body_mesh
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.patch import PatchMesh, contact_zone, depth_lines, far_square, outside_share, patch_mesh
 from fembearing.mesh.race import places_facing
 from fembearing.mesh.recipe import Recipe
-
-Array = NDArray[np.float64]
 
 
 def block_of_ball(contact: Contact, recipe: Recipe, level: int, footprint: Footprint) -> Block:

@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 from skfem import MeshHex2
 
+from analytic.scene import Array
 from fembearing.mesh.patch import NODE, PatchMesh, depth_lines, far_square, outside_share
 from fembearing.mesh.recipe import Cells, Recipe
 
 FURTHER = 2.0  # size of an extended block over its own, to measure the effect of its far boundary
 
-Array = NDArray[np.float64]
 Nodes = NDArray[np.intp]
 BodyName = Literal["ball", "race", "pocket wall", "half space", "ring"]
 

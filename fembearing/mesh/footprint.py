@@ -13,10 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.errors import InputError
-from analytic.scene import Contact
+from analytic.scene import Array, Contact
 from analytic.words import length_of
 
-Array = NDArray[np.float64]
 ROUND_OFF = 1e-9  # of a coordinate
 UNCUT = (math.inf, math.inf)
 NEARLY = 0.995  # largest shoulder distance in the mesh, in semi-axes; an error of 1 % in the mesh does no harm

@@ -9,7 +9,7 @@ from skfem import ElementHex2, MeshHex2
 from skfem.quadrature import get_quadrature
 from skfem.refdom import RefHex
 
-Array = NDArray[np.float64]
+from analytic.scene import Array
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

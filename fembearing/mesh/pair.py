@@ -7,10 +7,9 @@ where the normal of the ball meets it.
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from analytic.errors import InputError
-from analytic.scene import Contact
+from analytic.scene import Array, Contact
 from analytic.words import MILLIMETRE, length_of
 from fembearing.mesh.ball import ball_octant
 from fembearing.mesh.bodies import FURTHER, Block, BodyMesh
@@ -21,7 +20,6 @@ from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.race import distance_to_race, race_block, widest_on_race
 from fembearing.mesh.recipe import Recipe
 
-Array = NDArray[np.float64]
 WIDEST_CONTACT = 0.7  # over the ball's radius, margin included; the map of the octant folds beyond
 
 

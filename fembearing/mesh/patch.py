@@ -28,10 +28,9 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 from skfem import MeshHex1, MeshHex2
 
+from analytic.scene import Array
 from fembearing.mesh.footprint import UNCUT, Footprint
 from fembearing.mesh.recipe import Cells, Depth, Patch
-
-Array = NDArray[np.float64]
 
 NODE = 1e-6  # tolerance of patch coordinates, which are multiples of 1/(2 cells)
 # Taper of the core towards a shoulder that just touches the ellipse, over its width. Without it the cells between the

@@ -1,15 +1,13 @@
 """The race: a block of the ring under its groove. A thick seat of a cage pocket is a race with two equal radii."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from analytic.scene import Contact
+from analytic.scene import Array, Contact
 from fembearing.mesh.bodies import FURTHER, Block, BodyMesh, body_mesh
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.patch import contact_zone, patch_mesh
 from fembearing.mesh.recipe import Recipe
 
-Array = NDArray[np.float64]
 NEWTON = 8  # rounds; five reach round-off at 40 degrees
 STEEPEST = 1.2  # rad, profile angle up to which a groove is meshed as a height over the tangent plane
 LEAST_OUTSIDE = 1.06  # end of the block over the contact with its margin; nearer, the cells between them fold
@@ -55,7 +53,7 @@ def race_height(contact: Contact, x: Array, y: Array) -> Array:
     groove, side, radius = contact.groove_radius, np.sign(contact.rolling_radius), abs(contact.rolling_radius)
     steepest = groove * np.sin(STEEPEST)
     low, high = -min(contact.far_shoulder, steepest), min(contact.shoulder, steepest)
-    rise = _profile(groove, np.clip(y, low, high))
+    rise = profile_rise(groove, np.clip(y, low, high))
     if np.isinf(radius):
         return np.broadcast_to(rise, np.broadcast_shapes(x.shape, y.shape)).copy()
     # Square of the ring's radius at y, minus x^2, minus the square of its radius at the bottom of the groove.
@@ -73,14 +71,14 @@ def race_height(contact: Contact, x: Array, y: Array) -> Array:
         inside = np.clip(axial, first, last)
         from_axis = np.hypot(bottom + side * over, x)
         # Radius over that of the bottom, as a sagitta, less the profile's
-        left = side * ((side * 2 * bottom + over) * over + x**2) / (from_axis + bottom) - _profile(groove, inside)
+        left = side * ((side * 2 * bottom + over) * over + x**2) / (from_axis + bottom) - profile_rise(groove, inside)
         slope = (bottom + side * over) / from_axis * cosine
         slope = slope + np.where(axial == inside, axial / np.sqrt(groove**2 - inside**2) * sine, 0.0)
         height = height - left / slope
     return height
 
 
-def _profile(groove: float, axial: Array) -> Array:
+def profile_rise(groove: float, axial: Array) -> Array:
     """Height of a groove's profile over its bottom, m."""
     return axial**2 / (groove + np.sqrt(groove**2 - axial**2))
 

@@ -13,16 +13,15 @@ from numpy.typing import NDArray
 from skfem import MeshHex2
 
 from analytic.errors import InputError
-from analytic.scene import Contact, Ring
+from analytic.scene import Array, Contact, Ring
 from analytic.words import angle_of, length_of
 from fembearing.mesh.bodies import Block, BodyMesh
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.patch import NODE, PatchMesh, contact_zone, depth_lines, far_square, patch_mesh
 from fembearing.mesh.quality import mesh_quality
-from fembearing.mesh.race import LEAST_FURTHER, WIDEST_BLOCK, meeting_places, race_height
+from fembearing.mesh.race import LEAST_FURTHER, WIDEST_BLOCK, meeting_places, profile_rise, race_height
 from fembearing.mesh.recipe import Recipe
 
-Array = NDArray[np.float64]
 Nodes = NDArray[np.intp]
 LENGTH = 4.0  # of the piece from x = 0, in thicknesses under the groove or major semi-axes
 LONGEST = 0.9 * np.pi  # rad: largest angle of the piece from x = 0
@@ -121,8 +120,7 @@ def into_ring(contact: Contact, vector: Array) -> Array:
 def ring_surface(contact: Contact, ring: Ring, axial: Array) -> Array:
     """Radius of the groove and its lands, m, at `axial`, m, from the middle of the ring."""
     above, below = ring.shoulder_half_widths
-    inside = np.clip(axial, -below, above)
-    rise = inside**2 / (contact.groove_radius + np.sqrt(contact.groove_radius**2 - inside**2))
+    rise = profile_rise(contact.groove_radius, np.clip(axial, -below, above))
     return ring.bottom_radius + np.sign(contact.rolling_radius) * rise
 
 

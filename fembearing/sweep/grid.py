@@ -79,10 +79,7 @@ GRID = Table(path="", hint="")
 STEPS = Table(path="", hint="")
 for _entry in (
     Key(path="what", kind=Word(get_args(What)), default="torque"),
-    Key(
-        path="scene",
-        kind=AnyTable("give its path, a bearing of the catalog, or a table [scene]", takes_text=True),
-    ),
+    Key(path="scene", kind=AnyTable("give its path, a bearing of the catalog, or a table [scene]", takes_text=True)),
     Key(
         path="samples",
         kind=Whole(things="samples", low=1, high=10**9, example=512),

@@ -1,7 +1,8 @@
 """Pages without a browser, opened by the users that NiceGUI simulates."""
 
 import asyncio
-from collections.abc import Awaitable, Callable, Coroutine
+import inspect
+from collections.abc import Awaitable, Callable
 from functools import cache
 from typing import Any
 
@@ -14,8 +15,6 @@ from fembearing.app.page import FIRST, Page
 from fembearing.app.scene_edit import of_bearing
 
 LONGEST = 1200  # tenths of a second: the machine may do much else, or compile formulas
-Opening = Callable[[], Awaitable[tuple[Any, Page]]]  # a new tab: its user and its page
-Story = Callable[[Opening], Coroutine[Any, Any, None]]
 
 
 @cache
@@ -38,34 +37,46 @@ def opened_before(monkeypatch: pytest.MonkeyPatch) -> None:
     )
 
 
+class Opening:
+    """Opens a page in a new tab: its user and the page."""
+
+    def __init__(self) -> None:
+        self.first: Any = None  # user of the simulated server
+        self.pages: list[Page] = []
+
+    async def __call__(self) -> tuple[Any, Page]:
+        user = User(self.first.http_client)
+        await user.open("/")
+        return user, self.pages[-1]
+
+
 @pytest.fixture
-def run_story() -> Callable[[Story], None]:
-    """Runs a coroutine that opens pages."""
+def opened() -> Opening:
+    return Opening()
 
-    def run(story: Story) -> None:
-        pages: list[Page] = []
-        faults: list[Exception] = []  # raised at the end: an exception that leaves the simulation keeps its loop alive
 
-        async def whole() -> None:
-            async with user_simulation(lambda: pages.append(Page())) as first:
+@pytest.hookimpl(tryfirst=True)
+def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
+    """A test that is a coroutine runs beside a simulated server, in which `opened` opens pages."""
+    if not inspect.iscoroutinefunction(pyfuncitem.obj):
+        return None
+    opened = pyfuncitem.funcargs["opened"]
+    given = {name: pyfuncitem.funcargs[name] for name in inspect.signature(pyfuncitem.obj).parameters}
+    faults: list[Exception] = []  # raised at the end: an exception that leaves the simulation keeps its loop alive
 
-                async def opened() -> tuple[Any, Page]:
-                    user = User(first.http_client)
-                    await user.open("/")
-                    return user, pages[-1]
+    async def whole() -> None:
+        async with user_simulation(lambda: opened.pages.append(Page())) as opened.first:
+            try:
+                await pyfuncitem.obj(**given)
+            except Exception as fault:
+                faults.append(fault)
+            for page in opened.pages:
+                page.close()
 
-                try:
-                    await story(opened)
-                except Exception as fault:
-                    faults.append(fault)
-                for page in pages:
-                    page.close()
-
-        asyncio.run(whole())
-        if faults:
-            raise faults[0]
-
-    return run
+    asyncio.run(whole())
+    if faults:
+        raise faults[0]
+    return True
 
 
 @pytest.fixture

@@ -2,11 +2,8 @@
 
 import json
 import re
-import zipfile
 from dataclasses import replace
 from functools import cache
-from io import BytesIO
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -16,7 +13,7 @@ import pytest
 from analytic.scenefile.template import scene_text
 from fembearing.app import evaluation
 from fembearing.app.charts import curve_options, ellipse_options, part_legend, part_options, ring_options
-from fembearing.app.evaluation import Evaluation, at_once, completed, curve_scenes, series_of, zip_of
+from fembearing.app.evaluation import Evaluation, at_once, completed, curve_scenes, series_of
 from fembearing.app.scene_edit import with_value
 from fembearing.quantities import METRIC, SYSTEMS
 from tests.analytic.specimens import present
@@ -57,13 +54,6 @@ def test_the_parts_add_up_to_the_torque() -> None:
     assert {each["stack"] for each in options["series"]} == {"torque"}
     assert options["xAxis"]["max"] == pytest.approx(total, rel=DIGITS)  # the bar fills its width
     json.dumps(options, allow_nan=False)
-
-
-def test_the_legend_has_every_part_and_its_share() -> None:
-    legend = part_legend(found().row, METRIC)
-    shares = [float(share) for share in re.findall(r"<b>(\d+) %</b>", legend)]
-    assert len(shares) == len(part_options(found().row, METRIC)["series"])
-    assert sum(shares) == pytest.approx(100, abs=0.5 * len(shares))  # each is rounded to a whole number
 
 
 def test_a_scene_in_inches_has_charts_in_inches() -> None:
@@ -128,20 +118,6 @@ def test_the_ring_is_closed_and_has_every_ball() -> None:
     assert along == pytest.approx(2000.0, rel=0.01)  # contact angle, and forces of inertia at 730 rpm
 
 
-def test_the_ellipse_has_both_semi_axes_and_lies_between_the_shoulders() -> None:
-    for race in ("inner", "outer"):
-        contact, row = found().contacts[race], found().row
-        options = ellipse_options(contact, row, METRIC)
-        upper, lower = (np.array(each["data"]) for each in options["series"])
-        # Its area by the trapezoidal rule, which is 0.03 % too small with 81 points.
-        area = np.trapezoid(upper[:, 1], upper[:, 0]) - np.trapezoid(lower[:, 1], lower[:, 0])
-        assert area == pytest.approx(
-            1e6 * np.pi * row[f"semi_axis_rolling_{race}"] * row[f"semi_axis_transverse_{race}"], rel=1e-3
-        )
-        near, far = sorted(each["xAxis"] for each in options["series"][0]["markLine"]["data"])
-        assert near < upper[0, 0] < upper[-1, 0] < far
-
-
 def test_the_curve_shades_what_is_known_at_every_point_and_marks_a_speed_alone() -> None:
     names = ("interval_low", "interval_high", "catalogue_low", "catalogue_high")
     ends = ((0.002, 0.005, 0.01, 0.04), (0.001, 0.009, 0.03, 0.05), (0.003, 0.007, 0.02, 0.07))
@@ -197,10 +173,6 @@ def test_a_part_that_is_none_or_nothing_has_no_bar() -> None:
     assert part_options(still, METRIC)["xAxis"]["max"] == 1.0
 
 
-def test_a_pair_of_bearings_has_no_ring() -> None:
-    assert ring_options(replace(found().result.friction, ring=None), 0, METRIC) is None
-
-
 def test_the_room_around_an_ellipse_is_that_of_its_groove() -> None:
     """A shoulder that is not known is not drawn; twice the ellipse is then shown on its side."""
     contact, row = found().contacts["inner"], found().row
@@ -244,14 +216,3 @@ def test_the_curve_has_every_speed_once_and_ends_at_twice_the_own_one() -> None:
     own = found().row["inner_speed"]
     np.testing.assert_allclose(np.sort(speeds), own * evaluation.SPEEDS, rtol=1e-12)
     assert all(np.all(np.diff(scene.operation.inner_speed) > 0) for scene in scenes)
-
-
-def test_files_of_a_torque_stand_with_those_of_its_check(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(evaluation, "torque_content", lambda *_, ending: ending.encode())
-    for name in ("report.html", "inner.png"):
-        (tmp_path / name).write_text(name)
-    for folder, more in ((None, []), (tmp_path, ["report/inner.png", "report/report.html"])):
-        with zipfile.ZipFile(BytesIO(zip_of(found(), folder))) as archive:
-            names = archive.namelist()
-            assert names == ["scene.toml", "torque.csv", "torque.json", "torque.html", *more]
-            assert archive.read("scene.toml").decode() == found().text

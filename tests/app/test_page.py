@@ -1,25 +1,21 @@
 """The page without a browser: what a user changes, and what is shown then."""
 
 import asyncio
-import threading
 import zipfile
-from dataclasses import replace
 from io import BytesIO, StringIO
 from typing import Any
 
 import numpy as np
 import pytest
-from nicegui import background_tasks
 from rich.console import Console
 
 from analytic.errors import InputError
 from analytic.scene_torque import torque_of_scene
-from analytic.scenefile.read import load_scene, parse_scene
+from analytic.scenefile.read import load_scene
 from analytic.scenefile.template import scene_text
 from fembearing.app import evaluation
-from fembearing.app import page as page_file
 from fembearing.app.check import CHECKS, Check
-from fembearing.app.evaluation import Evaluation, at_once, completed
+from fembearing.app.evaluation import Evaluation
 from fembearing.app.page import Page
 from fembearing.app.scene_edit import CATALOG, with_value
 from fembearing.app.server import add_report
@@ -43,314 +39,167 @@ def words(page: Page) -> str:
     return " ".join(label.text for label in page.lines.values())
 
 
-def test_the_headline_is_that_of_the_command(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_the_headline_is_that_of_the_command(opened, settled, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(evaluation, "SPEEDS", np.array([0.4, 1.0, 1.7]))  # a quarter, each of which takes 0.25 s
     monkeypatch.setattr(evaluation, "SLICES", 2)
-
-    async def story(opened) -> None:
-        _, page = await opened()
-        page.fields[LOAD].value = "2 kN"
-        page.fields[SPEED].value = "1500"
-        await settled(page)
-        out = StringIO()
-        result = torque_of_scene(load_scene("6206", radial_load="2 kN", speed="1500 rpm"))
-        print_sections(Console(file=out, width=500), [headline_section(result)])
-        title, _, _, row, *rest = [line.strip() for line in out.getvalue().splitlines() if line.strip()]
-        shown = words(page)
-        assert title in shown
-        torque, ends, power, *_ = row.split()[2:]
-        assert page.lines["torque"].text == torque
-        assert page.lines["interval"].text == f"95 %: {ends}"
-        assert page.lines["power"].text == f"power {power} W"
-        for line in rest:
-            verdict, mark, reason = line.partition(": ")
-            assert line in shown or (mark and f"{verdict} {reason}" in shown)
-        assert "is read as 1500 rpm" in page.lines["problem"].text
-        curve = next(each for each in page.charts["curve"].options["series"] if each["name"] == "torque")
-        assert [round(float(speed)) for speed, _ in curve["data"]] == [600, 1500, 2550]  # of all slices
-
-    run_story(story)
+    _, page = await opened()
+    page.fields[LOAD].value = "2 kN"
+    page.fields[SPEED].value = "1500"
+    await settled(page)
+    out = StringIO()
+    result = torque_of_scene(load_scene("6206", radial_load="2 kN", speed="1500 rpm"))
+    print_sections(Console(file=out, width=500), [headline_section(result)])
+    title, _, _, row, *rest = [line.strip() for line in out.getvalue().splitlines() if line.strip()]
+    shown = words(page)
+    assert title in shown
+    torque, ends, power, *_ = row.split()[2:]
+    assert page.lines["torque"].text == torque
+    assert page.lines["interval"].text == f"95 %: {ends}"
+    assert page.lines["power"].text == f"power {power} W"
+    for line in rest:
+        verdict, mark, reason = line.partition(": ")
+        assert line in shown or (mark and f"{verdict} {reason}" in shown)
+    assert "is read as 1500 rpm" in page.lines["problem"].text
+    curve = next(each for each in page.charts["curve"].options["series"] if each["name"] == "torque")
+    assert [round(float(speed)) for speed, _ in curve["data"]] == [600, 1500, 2550]  # of all slices
 
 
 @pytest.mark.usefixtures("no_curve")
-def test_a_refused_input_has_the_words_of_the_command_beside_its_field(run_story, settled) -> None:
-    async def story(opened) -> None:
-        _, page = await opened()
-        await settled(page)
-        before = page.lines["torque"].text
-        page.fields[LOAD].value = "5 kg"
-        await settled(page)
-        with pytest.raises(InputError) as told:
-            load_scene("6206", radial_load="5 kg")
-        words_of_the_command = str(told.value).removeprefix("scene of 6206: ")
-        assert page.fields[LOAD].error == f"scene: {words_of_the_command}"
-        assert [key for key, field in page.fields.items() if field.error] == [LOAD]
-        assert page.lines["torque"].text == before
-        assert "old" in page.lines["torque"].classes
-        page.fields[CATALOG].value = "6299"
-        assert "6299" in page.fields[CATALOG].error
-        assert page.fields[LOAD].error is None
-        page.fields[LOAD].value = "700 N"
-        await settled(page)
-        assert not any(field.error for field in page.fields.values())
-        assert "old" not in page.lines["torque"].classes
-        assert page.lines["torque"].text != before
-
-    run_story(story)
+async def test_a_refused_input_has_the_words_of_the_command_beside_its_field(opened, settled) -> None:
+    _, page = await opened()
+    await settled(page)
+    before = page.lines["torque"].text
+    page.fields[LOAD].value = "5 kg"
+    await settled(page)
+    with pytest.raises(InputError) as told:
+        load_scene("6206", radial_load="5 kg")
+    words_of_the_command = str(told.value).removeprefix("scene of 6206: ")
+    assert page.fields[LOAD].error == f"scene: {words_of_the_command}"
+    assert [key for key, field in page.fields.items() if field.error] == [LOAD]
+    assert page.lines["torque"].text == before
+    assert "old" in page.lines["torque"].classes
+    page.fields[CATALOG].value = "6299"
+    assert "6299" in page.fields[CATALOG].error
+    assert page.fields[LOAD].error is None
+    page.fields[LOAD].value = "700 N"
+    await settled(page)
+    assert not any(field.error for field in page.fields.values())
+    assert "old" not in page.lines["torque"].classes
+    assert page.lines["torque"].text != before
 
 
 @pytest.mark.usefixtures("no_curve")
-def test_the_torque_comes_before_its_interval(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
-    shown: list[tuple[str, str, bool]] = []
-
-    async def story(opened) -> None:
-        _, page = await opened()
-        await settled(page)
-        first = page.lines["torque"].text
-
-        def looked(found: Evaluation) -> Evaluation:
-            lines = page.lines
-            shown.append((lines["torque"].text, lines["interval"].text, "old" in lines["interval"].classes))
-            return completed(found)
-
-        before = page.lines["interval"].text
-        monkeypatch.setattr(evaluation, "completed", looked)
-        page.fields[LOAD].value = "2 kN"
-        await settled(page)
-        assert shown == [(page.lines["torque"].text, before, True)]
-        assert page.lines["torque"].text != first
-        assert "old" not in page.lines["interval"].classes
-
-    run_story(story)
+async def test_a_slider_sets_its_field_and_follows_it(opened, settled) -> None:
+    _, page = await opened()
+    page.fields[LOAD].value = "2 kN"
+    await settled(page)
+    assert page.sliders[LOAD].value == 2000.0
+    page.slide(LOAD, 640.0)
+    await settled(page)
+    assert page.fields[LOAD].value == "640 N"
+    assert page.evaluation.row["radial_load"] == 640.0
+    page.slide("lubricant.temperature", 35.0)
+    await settled(page)
+    assert page.evaluation.result.scene.lubricant.temperature == pytest.approx(308.15)
+    assert page.sliders["lubricant.temperature"].value == 35.0
 
 
 @pytest.mark.usefixtures("no_curve")
-def test_outdated_intervals_are_not_computed(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
-    found, intervals, released = at_once(scene_text("6206")), [], threading.Event()
-
-    def slow(one: Evaluation) -> Evaluation:
-        intervals.append(one.text)
-        assert released.wait(60)
-        return one
-
-    monkeypatch.setattr(evaluation, "at_once", lambda text: replace(found, text=text))
-    monkeypatch.setattr(evaluation, "completed", slow)
-
-    async def story(opened) -> None:
-        _, page = await opened()
-        released.set()
-        await settled(page)
-        released.clear()
-        for number in range(10):
-            page.fields[LOAD].value = f"{700 + number} N"
-            while page.evaluation.text != page.text:  # until it is shown
-                await asyncio.sleep(0.01)
-        released.set()
-        await settled(page)
-        assert intervals[-1] == page.text
-        assert len(intervals) <= 3  # of 11 scenes: the first one, the one at work during the changes, the last one
-
-    run_story(story)
+async def test_a_pasted_scene_fills_the_fields(opened, settled) -> None:
+    _, page = await opened()
+    await settled(page)
+    page.fields["scene"].value = with_value(scene_text("7208B"), SPEED, "2200 rpm")
+    await settled(page)
+    assert (page.fields[CATALOG].value, page.fields[SPEED].value) == ("7208B", "2200 rpm")
+    assert page.lines["title"].text.startswith("7208B, axial ")
+    page.fields["scene"].value = "[bearing"
+    assert page.fields["scene"].error.startswith("scene: not TOML")
 
 
 @pytest.mark.usefixtures("no_curve")
-def test_a_slider_sets_its_field_and_follows_it(run_story, settled) -> None:
-    async def story(opened) -> None:
-        _, page = await opened()
-        page.fields[LOAD].value = "2 kN"
-        await settled(page)
-        assert page.sliders[LOAD].value == 2000.0
-        page.slide(LOAD, 640.0)
-        await settled(page)
-        assert page.fields[LOAD].value == "640 N"
-        assert page.evaluation.row["radial_load"] == 640.0
-        page.slide("lubricant.temperature", 35.0)
-        await settled(page)
-        assert page.evaluation.result.scene.lubricant.temperature == pytest.approx(308.15)
-        assert page.sliders["lubricant.temperature"].value == 35.0
-
-    run_story(story)
-
-
-@pytest.mark.usefixtures("no_curve")
-def test_a_pasted_scene_fills_the_fields(run_story, settled) -> None:
-    async def story(opened) -> None:
-        _, page = await opened()
-        await settled(page)
-        page.fields["scene"].value = with_value(scene_text("7208B"), SPEED, "2200 rpm")
-        await settled(page)
-        assert (page.fields[CATALOG].value, page.fields[SPEED].value) == ("7208B", "2200 rpm")
-        assert page.lines["title"].text.startswith("7208B, axial ")
-        page.fields["scene"].value = "[bearing"
-        assert page.fields["scene"].error.startswith("scene: not TOML")
-
-    run_story(story)
+async def test_the_cage_and_the_seats_change_the_torque(opened, settled) -> None:
+    _, page = await opened()
+    await settled(page)
+    first = page.evaluation.row
+    page.inputs.cage.value = True
+    await settled(page)
+    assert page.fields["cage.mass"].value == "11 g"
+    assert page.inputs.pockets.visible
+    caged = page.evaluation.row
+    assert caged["torque_cage"] > 0
+    assert caged["torque_total"] == pytest.approx(
+        first["torque_total"] + caged["torque_cage"], rel=0.02
+    )  # it brakes the balls too
+    page.inputs.cage.value = False
+    page.fields["mounting.shaft_interference"].value = "30 um"  # more than the clearance: every ball is preloaded
+    await settled(page)
+    assert page.evaluation.row["torque_total"] > first["torque_total"]
+    page.fields["mounting.shaft_interference"].value = ""
+    await settled(page)
+    assert page.evaluation.row["torque_total"] == pytest.approx(
+        first["torque_total"], rel=1e-9
+    )  # round-off of the equilibrium
 
 
-@pytest.mark.usefixtures("no_curve")
-def test_the_cage_and_the_seats_change_the_torque(run_story, settled) -> None:
-    async def story(opened) -> None:
-        _, page = await opened()
-        await settled(page)
-        first = page.evaluation.row
-        page.inputs.cage.value = True
-        await settled(page)
-        assert page.fields["cage.mass"].value == "11 g"
-        assert page.inputs.pockets.visible
-        caged = page.evaluation.row
-        assert caged["torque_cage"] > 0
-        assert caged["torque_total"] == pytest.approx(
-            first["torque_total"] + caged["torque_cage"], rel=0.02
-        )  # it brakes the balls too
-        page.inputs.cage.value = False
-        page.fields["mounting.shaft_interference"].value = "30 um"  # more than the clearance: every ball is preloaded
-        await settled(page)
-        assert page.evaluation.row["torque_total"] > first["torque_total"]
-        page.fields["mounting.shaft_interference"].value = ""
-        await settled(page)
-        assert page.evaluation.row["torque_total"] == pytest.approx(
-            first["torque_total"], rel=1e-9
-        )  # round-off of the equilibrium
-
-    run_story(story)
+NAMES = ("6004", "6205", "6206", "6308")
 
 
-# Bearing, radial load and speed of ten users: no two have a number in common.
-USERS = {
-    "6004": ("310 N", "730 rpm"),
-    "6205": ("420 N", "910 rpm"),
-    "6206": ("530 N", "1130 rpm"),
-    "6308": ("2.1 kN", "640 rpm"),
-    "16008": ("870 N", "550 rpm"),
-    "6210": ("1.3 kN", "860 rpm"),
-    "61905": ("240 N", "1270 rpm"),
-    "6404": ("960 N", "1390 rpm"),
-    "6001": ("110 N", "1610 rpm"),
-    "6312": ("3.4 kN", "470 rpm"),
-}
-
-
-@pytest.mark.slow  # ten pages, each with two torques and an interval
-@pytest.mark.usefixtures("no_curve")
-def test_ten_users_at_once_have_their_own_numbers(run_story, settled) -> None:
-    """All change bearing, load and speed in turns, without waiting for anything, and take their files."""
-
-    async def story(opened) -> None:
-        users: list[tuple[Any, Page]] = [await opened() for _ in USERS]
-        for key in (LOAD, CATALOG, SPEED):
-            for (_, page), (name, (load, speed)) in zip(users, USERS.items(), strict=True):
-                page.fields[key].value = {CATALOG: name, LOAD: load, SPEED: speed}[key]
-                await asyncio.sleep(0)  # others come between
-        for _, page in users:
-            await settled(page)
-        shown, intervals = set(), {page.lines["interval"].text for _, page in users}
-        for (user, page), (name, (load, speed)) in zip(users, USERS.items(), strict=True):
-            scene = parse_scene(page.text, origin="page")  # whose oil is that of the speed at which it began
-            torque = f"{1e3 * torque_of_scene(scene, estimate=False).friction.torque.total[0]:.4g}"
-            shown.add(torque)
-            assert (page.lines["torque"].text, page.text) == (torque, page.fields["scene"].value)
-            assert page.lines["title"].text.startswith(f"{scene.bearing.name}, ")
-            assert [page.fields[key].value for key in (CATALOG, LOAD, SPEED)] == [name, load, speed]
-            assert page.evaluation.row["radial_load"] == scene.operation.as_series().points["radial_load"][0]
-            assert user.client is not None  # downloads of the simulation go to the user that was looked at last
-            await page.check.download()
-            archive = zipfile.ZipFile(BytesIO((await user.download.next(timeout=60)).content))
-            assert archive.read("scene.toml").decode() == page.text
-        assert len(shown) == len(intervals) == len(USERS)
-
-    run_story(story)
-
-
-def test_ten_users_have_the_files_of_their_own_checks(run_story, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_users_have_the_files_of_their_own_checks(opened, monkeypatch: pytest.MonkeyPatch) -> None:
     """Over HTTP, at once; nobody guesses the address of another, and a closed check has no files."""
-    checks = [Check(text=name) for name in USERS]
+    checks = [Check(text=name) for name in NAMES]
     for check in checks:
         monkeypatch.setitem(CHECKS, check.token, check)
         check.folder.mkdir()
         (check.folder / "report.html").write_text(f"report of {check.text}", "utf-8")
-
-    async def story(opened) -> None:
-        add_report()
-        users = [(await opened())[0] for _ in checks]
-        files = (
-            user.http_client.get(f"/check/{check.token}/report.html") for user, check in zip(users, checks, strict=True)
-        )
-        found = [response.text for response in await asyncio.gather(*files)]
-        assert found == [f"report of {name}" for name in USERS]
-        checks[3].close()
-        closed = await users[3].http_client.get(f"/check/{checks[3].token}/report.html")
-        other = await users[3].http_client.get(f"/check/{checks[4].token}/../{checks[5].token}/other.html")
-        assert (closed.status_code, other.status_code) == (404, 404)
-
-    run_story(story)
+    add_report()
+    users = [(await opened())[0] for _ in checks]
+    files = (
+        user.http_client.get(f"/check/{check.token}/report.html") for user, check in zip(users, checks, strict=True)
+    )
+    found = [response.text for response in await asyncio.gather(*files)]
+    assert found == [f"report of {name}" for name in NAMES]
+    checks[1].close()
+    closed = await users[1].http_client.get(f"/check/{checks[1].token}/report.html")
+    other = await users[1].http_client.get(f"/check/{checks[2].token}/../{checks[3].token}/other.html")
+    assert (closed.status_code, other.status_code) == (404, 404)
     for check in checks:
         check.close()
 
 
-def test_a_closed_tab_ends_its_check_and_its_curve(run_story) -> None:
-    async def story(opened) -> None:
-        user, page = await opened()
-        checking = asyncio.create_task(page.check.run())
-        await asyncio.sleep(0.3)
-        check = page.check.check
-        assert check is not None
-        assert check.token in CHECKS
-        user.client.delete()
-        await asyncio.wait_for(checking, 20)
-        assert check.token not in CHECKS
-        assert not check.folder.parent.exists()
-        for _ in range(1200):
-            if not page.is_busy:
-                break
-            await asyncio.sleep(0.1)
-        assert not page.is_busy
-
-    run_story(story)
-
-
-def test_many_changes_leave_nothing(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
-    """50 of them; their torque is that of the first, because the page is what is tested."""
-    found: list[Evaluation] = [completed(at_once(scene_text("6206")))]
-    monkeypatch.setattr(evaluation, "at_once", lambda _text: found[0])
-    monkeypatch.setattr(evaluation, "completed", lambda found: found)
-    monkeypatch.setattr(evaluation, "curve_scenes", lambda _found: [])
-    monkeypatch.setattr(page_file, "PAUSE", 0.0)
-
-    async def story(opened) -> None:
-        user, page = await opened()
-        await settled(page)
-        tasks = len(background_tasks.running_tasks)
-        sizes = []
-        for number in range(50):
-            page.fields[LOAD].value = f"{600 + number} N"
-            await settled(page)
-            sizes.append((len(user.client.elements), len(page.text), len(page.fields["scene"].value)))
-        assert len(set(sizes)) == 1
-        assert len(background_tasks.running_tasks) <= tasks
-        assert page.fields[LOAD].value == "649 N"
-
-    run_story(story)
+async def test_a_closed_tab_ends_its_check_and_its_curve(opened) -> None:
+    user, page = await opened()
+    checking = asyncio.create_task(page.check.run())
+    await asyncio.sleep(0.3)
+    check = page.check.check
+    assert check is not None
+    assert check.token in CHECKS
+    user.client.delete()
+    await asyncio.wait_for(checking, 20)
+    assert check.token not in CHECKS
+    assert not check.folder.parent.exists()
+    for _ in range(1200):
+        if not page.is_busy:
+            break
+        await asyncio.sleep(0.1)
+    assert not page.is_busy
 
 
 @pytest.mark.usefixtures("no_curve")
-def test_the_download_has_the_scene_and_its_torque(run_story, settled) -> None:
-    async def story(opened) -> None:
-        user, page = await opened()
-        page.fields[SPEED].value = "730 rpm"
-        await settled(page)
-        await page.check.download()
-        response = await user.download.next()
-        archive = zipfile.ZipFile(BytesIO(response.content))
-        assert archive.namelist() == ["scene.toml", "torque.csv", "torque.json", "torque.html"]
-        assert archive.read("scene.toml").decode() == page.text
-        head, row = archive.read("torque.csv").decode().splitlines()
-        torque = float(row.split(",")[head.split(",").index("torque_total [N mm]")])
-        assert f"{torque:.4g}" == page.lines["torque"].text
-
-    run_story(story)
+async def test_the_download_has_the_scene_and_its_torque(opened, settled) -> None:
+    user, page = await opened()
+    page.fields[SPEED].value = "730 rpm"
+    await settled(page)
+    await page.check.download()
+    response = await user.download.next()
+    archive = zipfile.ZipFile(BytesIO(response.content))
+    assert archive.namelist() == ["scene.toml", "torque.csv", "torque.json", "torque.html"]
+    assert archive.read("scene.toml").decode() == page.text
+    head, row = archive.read("torque.csv").decode().splitlines()
+    torque = float(row.split(",")[head.split(",").index("torque_total [N mm]")])
+    assert f"{torque:.4g}" == page.lines["torque"].text
 
 
-def test_checks_of_two_tabs_take_turns(run_story, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_checks_of_two_tabs_take_turns(opened, monkeypatch: pytest.MonkeyPatch) -> None:
     running: list[Check] = []
     most: list[int] = []
 
@@ -364,11 +213,7 @@ def test_checks_of_two_tabs_take_turns(run_story, monkeypatch: pytest.MonkeyPatc
 
     monkeypatch.setattr(Check, "start", start)
     monkeypatch.setattr(Check, "look", look)
-
-    async def story(opened) -> None:
-        pages: list[Any] = [(await opened())[1] for _ in range(2)]
-        await asyncio.gather(*(page.check.run() for page in pages))
-        assert most == [1, 1]
-        assert [page.check.said.text for page in pages] == ["ended", "ended"]
-
-    run_story(story)
+    pages: list[Any] = [(await opened())[1] for _ in range(2)]
+    await asyncio.gather(*(page.check.run() for page in pages))
+    assert most == [1, 1]
+    assert [page.check.said.text for page in pages] == ["ended", "ended"]

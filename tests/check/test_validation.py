@@ -16,7 +16,7 @@ from tests.conftest import Checked
 
 
 def test_a_scene_with_a_cage_has_both_races_and_its_pocket_twice(checked: Validation) -> None:
-    """Without one it has the races alone: tests/cli/test_scenes.py."""
+    """Without one it has the races alone: tests/cli/test_commands.py."""
     assert [(solved.numbers.pair, solved.numbers.geometry) for solved in checked.contacts] == [
         ("inner", "real"),
         ("outer", "real"),

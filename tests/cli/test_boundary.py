@@ -45,11 +45,7 @@ def in_shell(line: str, *, cwd: Path, **environment: str) -> subprocess.Complete
         (StorageError("'a.csv' cannot be written"), 74, ["'a.csv'"]),
         (OSError(errno.EIO, "Input/output error", "/disk/a"), 74, ["'/disk/a'", "Input/output error", "check"]),
         (PermissionError(errno.EACCES, "Permission denied", "a"), 74, ["'a'", "permissions"]),
-        (
-            OSError(errno.ENOSPC, "No space left on device"),
-            74,
-            ["the result", "No space left", "check disk"],
-        ),
+        (OSError(errno.ENOSPC, "No space left on device"), 74, ["the result", "No space left", "check disk"]),
         (KeyboardInterrupt(), 130, []),
         (CancelledError(), 70, ["a defect of fembearing", "CancelledError"]),  # of asyncio: no Exception
         (TimeoutError("timed out after 5 s"), 74, ["another process", "timed out after 5 s"]),

@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 
 from analytic.given import KEYS
-from analytic.scenefile.template import scene_text
 from analytic.units import INCH, POUND
 from fembearing.cli import COMMANDS, command_of
 
@@ -73,18 +72,6 @@ def test_force_replaces_what_fembearing_wrote_and_nothing_else(
     Path("other").mkdir()
     assert "no folder that fembearing made" in command("torque", "6205-dry", "-o", "other", "--force").err
     assert "it is no file" in command("init", "6206", "-o", "other", "--force").err
-
-
-def test_force_replaces_a_file(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("a.toml").write_text("before", "utf-8")
-    assert command("init", "6206", "-o", "a.toml").status == 2
-    assert command("init", "6206", "-o", "a.toml", "--force").status == 0
-    assert Path("a.toml").read_text("utf-8") == scene_text("6206")
-    assert (
-        command("torque", "a.toml", "-o", "a.csv").status
-        == command("torque", "a.toml", "-o", "a.csv", "--force").status
-    )
 
 
 def test_a_command_that_fails_replaces_nothing(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

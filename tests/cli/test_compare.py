@@ -19,7 +19,6 @@ from tests.conftest import Result
 
 Run = Callable[..., Result]
 ROOT = Path(__file__).resolve().parents[2]
-EXAMPLES = str(ROOT / "examples/thrust_rig_3mm.toml"), str(ROOT / "examples/balan_3mm.csv")
 QUICK = ("--samples", "64")  # no assertion depends on the accuracy of the interval
 HEAD = "inner_speed [rpm],torque [N mm],uncertainty [%]\n"
 
@@ -35,12 +34,6 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "data.csv").write_text(f"{HEAD}90,{0.96 * torque:.6g},2\n90,{1.03 * torque:.6g},2\n")
     (tmp_path / "far.csv").write_text(f"{HEAD}90,{0.96 * torque:.6g},2\n90,{9 * torque:.6g},2\n")
     return tmp_path
-
-
-def test_the_scene_of_the_example_is_that_of_the_validation() -> None:
-    own, other = load_scene(EXAMPLES[0]), load_scene(ROOT / "validation/scenes/thrust_rig_3mm.toml")
-    ours, theirs = (analytic.friction_torque(scene).torque.total for scene in (own, other))
-    np.testing.assert_array_equal(ours, theirs)
 
 
 def test_a_scene_alone_names_its_data_and_passes(command: Run, place: Path) -> None:
@@ -99,21 +92,3 @@ def test_a_folder_has_page_numbers_table_and_figure(command: Run, place: Path) -
     assert "Missed: 1 of 2 measured torques is outside its 95 % interval." in page
     assert 'class="too">too low' in page
     assert "data:image/svg+xml;base64," in page
-
-
-@pytest.mark.parametrize(
-    ("words", "parts"),
-    [
-        (("data.csv",), ("'data.csv'", "fembearing compare SCENE data.csv")),
-        (("bare.toml",), ("no table [measured]",)),
-        (("bare.toml", "data.csv", "--samples", "3"), ("samples = 3", "at least")),
-        (("bare.toml", "data.csv", "--seed", "-5"), ("seed = -5", "from 0")),
-    ],
-)
-def test_a_mistake_gives_one_line(command: Run, place: Path, words: tuple[str, ...], parts: tuple[str, ...]) -> None:
-    before = sorted(place.iterdir())
-    ended = command("compare", *words)
-    assert (ended.status, ended.out) == (2, "")
-    assert ended.err.count("\n") == 1
-    assert [part for part in parts if part not in ended.err] == [], ended.err
-    assert sorted(place.iterdir()) == before

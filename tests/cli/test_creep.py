@@ -43,34 +43,6 @@ def test_meshed_bodies_are_named_and_change_the_torque_a_little(command: Run) ->
     assert "ball and race of true shape" in " ".join(coarse.out.split())
 
 
-@pytest.mark.parametrize(
-    ("words", "key"),
-    [
-        (("6205-dry", "--friction", "0"), "friction = 0"),
-        (("6205-dry", "--speed", "0 rpm"), "standstill"),
-        (("6205-dry", "--load", "0 N"), "--load"),
-        (("6205-dry", "--load", "90 kN"), "shoulder"),
-        (("6205-dry", "--load", "5 N", "--speed", "20000 rpm"), "skids"),
-        (("without_friction.toml",), "--friction"),
-        (("pair.toml",), "[arrangement]"),
-        (("6205-dry", "--load", "2.5 kN", "--compliance", "meshed"), "past its shoulder"),
-    ],
-)
-def test_a_mistake_gives_one_line(
-    command: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: tuple[str, ...], key: str
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    bare = 'name = "bare"\ntolerance = "5 %"\n[bearing]\ncatalog = "6205"\n[operation]\naxial_load = "1000 N"\n'
-    bare += 'inner_speed = "500 rpm"\n'
-    (tmp_path / "without_friction.toml").write_text(bare)
-    pair = '[arrangement]\nkind = "X"\npreload = "100 N"\n[friction]\ncoefficient = 0.1\n'
-    (tmp_path / "pair.toml").write_text(bare.replace("6205", "7205C") + pair)
-    ended = command("creep", *words)
-    assert (ended.status, ended.out) == (2, "")
-    assert key in ended.err
-    assert len(ended.err.splitlines()) == 1
-
-
 def test_a_ball_that_the_search_does_not_hold_is_not_solved(command: Run) -> None:
     ended = command("creep", "6205-dry", "--load", "1e-9 N", "--speed", "1e-7 rpm")
     assert (ended.status, ended.out) == (3, "")

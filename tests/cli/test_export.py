@@ -58,21 +58,3 @@ def test_a_cage_of_a_table_rests_and_a_warning_says_so(command, place: Path) -> 
     assert "cage.start" in moving.err
     assert "cage.start" not in resting.err
     assert (place / "moving.csv").read_bytes() == (place / "rest.csv").read_bytes()
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (["--to", "xlsx"], ["--to", "xlsx", "netcdf"]),
-        ([], ["--to"]),
-        (["--to", "csv", "--speed", "0 rpm to 60 rpm in 1"], ["has 1 values"]),
-        (["--to", "csv", "--out", "scene.toml"], ["scene.toml", ".csv"]),
-        (["--to", "modelica", "--radial-load", "1 kN to 2 kN in 3"], ["radial_load has 3 values", "modelica"]),
-    ],
-)
-def test_a_mistake_gets_one_line(command, place: Path, arguments: list[str], words: list[str]) -> None:
-    ended = command("export", "6206", *arguments)
-    assert ended.status == 2
-    assert ended.err.count("\n") == 1
-    assert all(word in ended.err for word in words), ended.err
-    assert [path.name for path in place.iterdir()] == ["scene.toml"]

@@ -29,17 +29,9 @@ contact_angle = { nominal = "30 deg" }
     [
         (SERIES, DONE, "check: inside the makers' formulas"),
         # A low shoulder would cut off more than a tenth, and nobody knows how high it is
-        (
-            SERIES.replace(BEARING, NO_SHOULDER),
-            NOT_SOLVED,
-            "undecided: a physical limit is not known: shoulder",
-        ),
+        (SERIES.replace(BEARING, NO_SHOULDER), NOT_SOLVED, "undecided: a physical limit is not known: shoulder"),
         # 0.2 rad: 9 balls carry 5033 N each, which 4.2 GPa allows up to some 4400 N
-        (
-            MINE.replace("700 N", "9000 N"),
-            CHECK_FAILED,
-            "fail: the peak pressure exceeds the static limit",
-        ),
+        (MINE.replace("700 N", "9000 N"), CHECK_FAILED, "fail: the peak pressure exceeds the static limit"),
     ],
 )
 def test_status_and_last_line_follow_from_both_verdicts(
@@ -49,34 +41,6 @@ def test_status_and_last_line_follow_from_both_verdicts(
     shown = command("torque", str(tmp_path / "a.toml"))
     assert shown.status == status
     assert words in " ".join(shown.out.split())
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("coarse")
-def test_validate_has_the_torque_of_the_command_torque(command, tmp_path: Path) -> None:
-    """A moving cage, losses and two operating points: the same numbers, digit by digit, from both commands."""
-    cage = '[cage]\nstart = "whirl"\nfriction_coefficient = 0.08\nseeds = 2\nduration = "0.011 s"\n'
-    (tmp_path / "a.toml").write_text(SERIES + cage + '[losses]\nseals = "5 N mm"\ndrag = "2 N mm"\n', "utf-8")
-    torque, validated = (
-        json.loads(command(*words, str(tmp_path / "a.toml"), "--tolerance", "20 %", "--json").out)
-        for words in (("torque",), ("validate", "--no-film", "--no-creep"))
-    )
-    decisions = {effect["name"]: effect["decision"] for effect in torque["effects"]}
-    assert decisions["cage_dynamics"] == decisions["seals"] == decisions["drag"] == "on"
-    assert len({point["torque_cage"] for point in torque["points"]}) == 2
-    for key in (
-        "points",
-        "effects",
-        "warnings",
-        "makers",
-        "cage",
-        "ring",
-        "verdicts",
-        "notes",
-        "tolerance",
-        "provenance",
-    ):
-        assert validated["torque"][key] == torque[key], key
 
 
 COULOMB = SERIES.partition("[lubricant]")[0] + '[friction]\ncoefficient = 0.1\nspin_rule = "inner_control"\n'

@@ -39,20 +39,3 @@ def asked(command, monkeypatch: pytest.MonkeyPatch):
 def test_a_check_has_what_its_options_say(asked, options: tuple[str, ...], expected: dict[str, Any]) -> None:
     found = asked("fembearing.report.folder.validate", "validate", "6205-dry", *options)
     assert {name: found[name] for name in expected} == expected
-
-
-@pytest.mark.parametrize(
-    ("command_", "target"),
-    [
-        ("film", "fembearing.check.film.scene_film.film_of"),
-        ("creep", "fembearing.check.creep.scene_creep.creep_of"),
-    ],
-)
-def test_load_and_tolerance_are_the_scenes_unless_they_are_given(asked, command_: str, target: str) -> None:
-    usual = asked(target, command_, "6205-dry")
-    assert (usual["load"], usual["compliance"]) == (None, "half-space")
-    given = asked(target, command_, "6205-dry", "--load", "0.31 kN", "--tolerance", "3 %")
-    assert (given["load"], given["tolerance"]) == (pytest.approx(310.0), pytest.approx(0.03))
-    if command_ == "creep":
-        assert usual["friction"] is None
-        assert asked(target, command_, "6205-dry", "--friction", "0.07")["friction"] == 0.07

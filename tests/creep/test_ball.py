@@ -1,7 +1,6 @@
 """A ball between two races: published torques of a separate program, limits, invariants, and oil."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -9,14 +8,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.oil.traction import PointLaw
 from analytic.scene import Bearing
-from fembearing.creep.ball import (
-    Elasticity,
-    Grid,
-    TurnedBall,
-    TurningBall,
-    race_motions,
-    turn_ball,
-)
+from fembearing.creep.ball import Elasticity, Grid, TurnedBall, TurningBall, turn_ball
 from fembearing.creep.half_space import HalfSpaces
 from fembearing.creep.place import HeldBall, free_lengths, unit_under
 from fembearing.creep.strips import hertz_pressure
@@ -66,6 +58,8 @@ def test_a_ball_is_in_equilibrium() -> None:
             moment += area * part_x * np.cross((r - y**2 * curvature / 2) * n + y * t, along)
             moment += area * part_y * (np.cross(x * along, t - y * curvature * n) + np.cross(r * n, t))
             friction += np.hypot(part_x, part_y) * area
+        bends = np.sum((t_x * strips.y**2 / 2 - t_y * strips.x * strips.y) * strips.area)
+        np.testing.assert_allclose(race.rolling_moment, bends * (1 / r - 0.5 * (1 / r - 1 / _groove(sign))), rtol=1e-9)
         force -= race.load * n
     w = 900.0
     orbit = w * turned.velocity[0] / turned.orbit
@@ -117,13 +111,6 @@ def test_spin_parts_the_angles_and_friction_does_not_change_the_thrust() -> None
         np.testing.assert_allclose(push, 1000.0 / 9, rtol=1e-6)  # settled
 
 
-def test_a_start_of_another_grid_does_not_change_the_answer() -> None:
-    ball = thrust_ball(0.06, 400.0)
-    direct, continued = turn_ball(ball, GRID), turn_ball(ball, GRID, turn_ball(ball, ROUGH))
-    # Strips meet where the slip of the start turns round.
-    np.testing.assert_allclose(continued.torque, direct.torque, rtol=0.02)
-
-
 def test_a_held_ring_and_a_free_one_agree() -> None:
     ball = thrust_ball(0.07, 700.0)
     free = turn_ball(ball, GRID)
@@ -138,17 +125,6 @@ def test_a_held_ring_and_a_free_one_agree() -> None:
     again = turn_ball(replace(ball, held=replace(held, axial=float(axial))), GRID)
     np.testing.assert_allclose(again.races[0].load, inner.load, rtol=2e-3)  # curvatures of slightly other angles
     np.testing.assert_allclose(again.torque, free.torque, rtol=0.01)
-
-
-def test_a_given_angle_holds_loads_but_not_how_the_ball_turns() -> None:
-    held = HeldBall(bearing=BEARING_6205, centre=centre_of(BEARING_6205), thrust=120.0, angle=0.41)
-    law = PointLaw(boundary=0.09)
-    ball = TurningBall(held=held, laws=(law, law), speed=30.0)
-    turned = turn_ball(ball, GRID)
-    for race in turned.races:
-        assert race.angle == pytest.approx(0.41, abs=1e-15)
-        assert race.load == pytest.approx(120.0 / np.sin(0.41), rel=1e-12)
-    assert turned.torque > 0
 
 
 def test_a_hybrid_and_oil_turn_too() -> None:
@@ -202,39 +178,7 @@ def test_a_symmetric_radial_ball_does_not_spin_and_slips_by_conformity_only() ->
     assert turned.torque > 0
 
 
-@pytest.mark.parametrize("size", [1e-9, 1e-7])
-def test_a_step_round_the_grooves_keeps_the_lengths_that_it_does_not_change(size: float) -> None:
-    """To first order it is the step; across both arms, the approaches, 1e-11 m here, stay."""
-    held = thrust_ball(0.1, 1e-6).held
-    lie = held.at_rest()
-    units = unit_under(held.bearing, "inner", lie.angles[0]), unit_under(held.bearing, "outer", lie.angles[1])
-    place = held.coordinates(lie, units)
-    step = size * np.array([-np.sin(lie.angles[1]), np.cos(lie.angles[1]), 0.0])
-    moved = held.moved(place, step)
-    np.testing.assert_allclose(moved - place, step, atol=size**2 / 2e-5)  # its square over the arms and the sine
-    there = held.lie(moved, units)
-    # Digits of an arm of 0.2 mm over the approach, which 0.1 um straight on would change by more than itself.
-    np.testing.assert_allclose(there.loads, held.lie(place, units).loads, rtol=1e-6)
-
-
 def test_a_ball_under_hardly_any_thrust_settles() -> None:
     """Torque by spin goes as the power 4/3 of the load; the angle changes by its power 2/3, 1e-4 here."""
-    light, lighter = (turn_ball(thrust_ball(0.1, load, speed=1e-6), GRID) for load in (2e-4, 1e-4))
+    light, lighter = (turn_ball(thrust_ball(0.1, load, speed=1e-6), GRID) for load in (4e-4, 2e-4))
     np.testing.assert_allclose(light.torque / lighter.torque, 2 ** (4 / 3), rtol=2e-3)
-
-
-@pytest.mark.parametrize("material", [STEEL, NITRIDE])
-def test_surfaces_meet_where_the_stiffer_body_keeps_more_of_its_curvature(material: Any) -> None:
-    bearing = replace(BEARING_6205, ball_material=material)
-    soft = [(1 - each.poisson_ratio**2) / each.youngs_modulus for each in (material, STEEL)]
-    for motion, groove in zip(race_motions(bearing), (bearing.inner, bearing.outer), strict=True):
-        ball, race = 1 / bearing.ball_radius, 1 / groove.groove_radius
-        expected = ball - soft[0] / sum(soft) * (ball - race)
-        assert 1 / motion.surface_radius == pytest.approx(expected, rel=1e-12)
-        assert motion.ball_radius == bearing.ball_radius
-    assert [motion.sign for motion in race_motions(bearing)] == [-1.0, 1.0]
-
-
-@pytest.fixture(scope="module")
-def turned() -> TurnedBall:
-    return turn_ball(thrust_ball(0.09, 600.0), ROUGH)

@@ -11,11 +11,7 @@ from tests.contacts import STEEL
 from tests.creep.bodies import HYBRID, of_modulus
 
 ONE = Strips(
-    middle=np.array([0.3e-4]),
-    width=np.array([5e-4]),
-    rear=np.array([-0.7e-4]),
-    front=np.array([1.1e-4]),
-    cells=1,
+    middle=np.array([0.3e-4]), width=np.array([5e-4]), rear=np.array([-0.7e-4]), front=np.array([1.1e-4]), cells=1
 )
 POINTS = np.array([[2.1e-4, 3.7e-4], [-3.3e-4, 0.9e-4], [1.6e-4, -7e-4]])  # outside, where a point force is smooth
 
@@ -67,26 +63,6 @@ def test_pressure_moves_unlike_surfaces_along_each_other() -> None:
         np.testing.assert_allclose(found[:, number], -1.7e9 * (ball - race) * np.array(pull), rtol=1e-7)  # quadrature
     like = HalfSpaces(ball=STEEL, race=STEEL).by_pressure(ONE, np.array([[1.7e9]]), POINTS[:, 0], POINTS[:, 1])
     np.testing.assert_array_equal(like, 0.0)
-
-
-def test_equal_tractions_on_all_rectangles_are_those_of_the_whole() -> None:
-    """The parts of a rectangle move the surface as it does itself; where it is long, as plane strain has it."""
-    influence = HalfSpaces(ball=STEEL, race=STEEL)
-    whole = Strips(
-        middle=np.array([0.0]), width=np.array([9e-4]), rear=np.array([-1e-4]), front=np.array([1.2e-4]), cells=1
-    )
-    left, right = whole.edges[0]
-    cells, shift = 7, (right - left) / 7
-    parts = Strips(
-        middle=np.array([-3e-4, 0.0, 3e-4]),
-        width=np.full(3, 3e-4),
-        rear=np.full(3, left + 0.174653 * shift),
-        front=np.full(3, right + 0.325347 * shift),
-        cells=cells,
-    )
-    x, y = np.array([2.3e-4, -0.2e-4]), np.array([1.1e-4, 5.3e-4])
-    expected = influence.by_traction(whole, x, y)[..., 0]
-    np.testing.assert_allclose(influence.by_traction(parts, x, y).sum(axis=-1), expected, rtol=1e-10)  # round-off
 
 
 def test_an_impossible_material_is_refused() -> None:

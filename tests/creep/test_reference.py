@@ -76,23 +76,3 @@ def test_a_grid_on_which_the_ball_does_not_settle_is_left_out_once(monkeypatch: 
         creep_reference(BALL, tolerance=1e-9)
     scripted(monkeypatch, without=(GRIDS[0],))
     assert creep_reference(BALL, tolerance=0.9).grids == GRIDS[1:4]
-
-
-def test_the_slipping_area_is_known_to_half_a_rectangle_at_its_border(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A border across the ellipse has the length 2 b, half a rectangle a/8: 2 a b/8 of pi a b; all grids agree."""
-    scripted(monkeypatch)
-    share = creep_reference(BALL, tolerance=0.9).outer.slip_share
-    assert share.value == pytest.approx(0.7, rel=1e-12)
-    assert share.uncertainty == pytest.approx(2 / 8 / np.pi, rel=1e-12)
-
-
-def test_grids_end_where_the_uncertainty_meets_the_tolerance(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Three of Richardson's steps, 3/16^2, of the third grid, and 1e-4: 1.76 % of 2.01 N m."""
-    uncertainty = 3 * 3 / 16**2 + 1e-4 * (2 + 3 / 16**2)
-    for factor, last in ((1.02, 3), (0.98, 4)):
-        scripted(monkeypatch)
-        found = creep_reference(BALL, tolerance=factor * uncertainty / 2.006)
-        assert found.grids == GRIDS[last - 3 : last]
-    assert found.torque.value == pytest.approx(2 + 3 / 24**2 / 2, rel=1e-9)
-    assert found.outer.torque.value == pytest.approx(found.torque.value / 2, rel=1e-9)
-    assert found.inner.creepage_across.value == pytest.approx(0.3)

@@ -64,10 +64,3 @@ def test_an_addition_that_bends_both_surfaces_is_another_radius(share: float) ->
     # Each has a grid for the ellipse of its own radius, with an error of 1 to 2 %.
     assert by_addition.central_film == pytest.approx(direct.central_film, rel=0.02)
     assert by_addition.pressure_centre == pytest.approx(direct.pressure_centre, rel=0.03)
-
-
-def test_an_addition_alike_everywhere_is_an_approach() -> None:
-    contact = moes(40.0, 5.0, 0.3)
-    found, expected = solved(replace(contact, added=Addition(scale=1e-9, constant=0.7))), solved(contact)
-    np.testing.assert_allclose(found.film, expected.film, rtol=1e-4)  # Newton's last step
-    assert found.rolling_force == pytest.approx(expected.rolling_force, rel=1e-4)

@@ -1,4 +1,4 @@
-"""Contacts of a 6205 against a numerical solution by another code, and the cost of the model's shape of the gap."""
+"""Contacts of a 6205 against a numerical solution by another code."""
 
 from dataclasses import dataclass
 
@@ -30,12 +30,12 @@ class CircleAlong(BallOnRace):
         return x / np.sqrt(self.ball_radius**2 - x**2) + x / self.race_radius + 0 * y
 
 
-def solved(kind: type[BallOnRace], race: str, load: float, speed: float, viscosity: float) -> NumericalFilm:
+def solved(race: str, load: float, speed: float, viscosity: float) -> NumericalFilm:
     along, across = RACES[race]
     contact = LubricatedContact(
         load=load,
         modulus=MODULUS,
-        shape=kind(ball_radius=BALL, race_radius=along, groove_radius=across),
+        shape=CircleAlong(ball_radius=BALL, race_radius=along, groove_radius=across),
         speed=SPEED * speed,
         oil=Oil(viscosity=viscosity, pressure_viscosity=2e-8),
         reach=Reach(ahead=0.9 * BALL, behind=0.9 * BALL, side=2.8e-3),
@@ -56,7 +56,7 @@ def test_film_and_force_are_those_of_another_code(
     race: str, load: float, speed: float, viscosity: float, force: float, uncertainty: float, film: float
 ) -> None:
     """Within 2 % or both uncertainties; the film is given as its ratio to the formula without compression, +-0.005."""
-    found = solved(CircleAlong, race, load, speed, viscosity)
+    found = solved(race, load, speed, viscosity)
     allowed = max(0.02, found.rolling_force.total + uncertainty)
     assert found.rolling_force.value == pytest.approx(force, rel=allowed)
     rolling, across = found.contact.shape.radii
@@ -67,13 +67,3 @@ def test_film_and_force_are_those_of_another_code(
         pressure_viscosity=2e-8,
     )
     assert found.central_film.value / float(formula.thickness) == pytest.approx(film, rel=0.02)
-
-
-@pytest.mark.nightly
-def test_circles_across_open_the_gap_at_the_sides_and_cost_some_per_cent_of_the_force() -> None:
-    """At 2.8 mm from its centre the true gap is 1.6 times that of the parabola."""
-    with_circles = solved(BallOnRace, "inner", 372.0, 500.0, 0.059)
-    along_only = solved(CircleAlong, "inner", 372.0, 500.0, 0.059)
-    change = with_circles.rolling_force.value / along_only.rolling_force.value - 1
-    assert -0.06 < change < -0.02  # the same errors of the grids are in both
-    assert with_circles.central_film.value == pytest.approx(along_only.central_film.value, rel=5e-3)

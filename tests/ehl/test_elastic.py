@@ -4,6 +4,7 @@ from scipy.integrate import dblquad
 
 from fembearing.ehl.elastic import half_space_integrals
 from fembearing.ehl.grid import Grid, graded_faces
+from fembearing.fem.half_space import approach_under, curvatures_under
 
 
 def test_integrals_are_those_of_quadrature() -> None:
@@ -26,8 +27,6 @@ def test_integrals_are_those_of_quadrature() -> None:
 
 
 def test_hertz_pressure_on_an_ellipse_gives_the_paraboloid_of_its_curvatures() -> None:
-    from fembearing.fem.half_space import approach_under, curvatures_under
-
     a, b, load, modulus = 0.8, 1.7, 2.6, 1.9
     grid = Grid(
         x_faces=graded_faces([-0.9, 0.9], [0.04, 0.04], refinement=1.0),

@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.integrate import dblquad
 from scipy.interpolate import LinearNDInterpolator
 from scipy.spatial import cKDTree
 
 from analytic.errors import ConvergenceError
-from analytic.scene import Contact
+from analytic.scene import Array, Contact
+from fembearing.check.contact.refinement import COMPARED
 from fembearing.fem.compliance import PairCompliance, compliance_over_load, sampled_compliance
 from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.guess import expected_semi_axes
@@ -22,17 +22,15 @@ from fembearing.fem.half_space import (
     pressed_rectangle,
 )
 from fembearing.fem.pixel_contact import press_pair
-from fembearing.fem.solution import condensed_pair, pressed
-from fembearing.fem.twin import flat_race, shared_axes, twin_of, twin_on_level
+from fembearing.fem.solution import condensed_pair
+from fembearing.fem.twin import flat_race, shared_axes, twin_on_level
 from fembearing.mesh.ball import block_of_ball, flat_ball
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.race import block_of_race
 from fembearing.mesh.recipe import load_recipe
-from tests.contacts import PEEK
+from tests.contacts import CONTACTS, INNER, OUTER, PEEK
 
-Array = NDArray[np.float64]
 RECIPE = load_recipe("race")
-NAMES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
 
 
 def axes_of(contact: Contact) -> tuple[float, float]:
@@ -45,31 +43,9 @@ def sampled(contact: Contact, *, level: int) -> PairCompliance:
 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
-def test_added_to_its_twin_it_is_the_direct_condensation(contacts: dict[str, Contact], pair: str) -> None:
-    """Under the forces of the solved contact, which are none of the samples, everywhere in the ellipse."""
-    contact = replace(contacts[pair], race_material=PEEK, load=60.0)
-    axes = axes_of(contact)
-    bodies = condensed_pair(contact, recipe=RECIPE, level=2, semi_axes=axes)
-    solved = pressed(bodies, load=contact.load, expected=axes)
-    twin = twin_of(contact, recipe=RECIPE, level=2, footprint=bodies.pair.footprint)
-    compliance = bodies.upper.compliance + bodies.lower.compliance
-    direct = compliance @ solved.force + contact.load * (bodies.upper.drift + bodies.lower.drift)
-    flat = twin.compliance @ solved.force + 4 * solved.force.sum() * twin.drift
-    flat = flat / (contact_modulus(contact) * axes[0])
-    added = sampled_compliance(bodies, recipe=RECIPE).added_displacement(solved.x, solved.y, 4 * solved.force)
-    inside = (solved.x / axes[0]) ** 2 + (solved.y / axes[1]) ** 2 <= 1
-    approach = solved.quantities.approach
-    assert np.abs(direct - flat)[inside].max() > 0.01 * approach  # what is added counts
-    left = (flat + added - direct)[inside] / approach
-    # Single nodes keep the noise of the mesh, which the polynomials smooth; its mean over the pressure is a tenth.
-    np.testing.assert_allclose(left, 0, atol=1e-3)
-    assert abs(np.average(left, weights=np.maximum(solved.force[inside], 0))) < 1e-4
-
-
-@pytest.mark.parametrize("pair", ["inner", "outer"])
-def test_outside_the_ellipse_it_is_near_the_meshed_bodies(contacts: dict[str, Contact], pair: str) -> None:
+def test_outside_the_ellipse_it_is_near_the_meshed_bodies(pair: str) -> None:
     """On all nodes of the ball's surface over the block, under Hertz's pressure: the stated errors of what is held."""
-    contact, axes, level = contacts[pair], axes_of(contacts[pair]), 2
+    contact, axes, level = CONTACTS[pair], axes_of(CONTACTS[pair]), 2
     bodies = condensed_pair(contact, recipe=RECIPE, level=level, semi_axes=axes)
     upper, lower, footprint = bodies.pair.upper, bodies.pair.lower, bodies.pair.footprint
     place = upper.mesh.doflocs[:2, upper.touching]
@@ -105,8 +81,8 @@ def test_outside_the_ellipse_it_is_near_the_meshed_bodies(contacts: dict[str, Co
         assert error[among].max() < stated, (nearest, farthest)
 
 
-def test_without_addition_a_light_contact_is_hertzs(contacts: dict[str, Contact]) -> None:
-    contact = replace(contacts["outer"], load=1e-3, groove_radius=4.9e-3)
+def test_without_addition_a_light_contact_is_hertzs() -> None:
+    contact = replace(OUTER, load=1e-3, groove_radius=4.9e-3)
     modulus = contact_modulus(contact)
     curvatures = 1 / contact.ball_radius + 1 / contact.rolling_radius, 1 / contact.ball_radius - 1 / 4.9e-3
     ellipse = hertz_ellipse(curvatures, load=1e-3, modulus=modulus)
@@ -120,19 +96,19 @@ def test_without_addition_a_light_contact_is_hertzs(contacts: dict[str, Contact]
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
 @pytest.mark.parametrize(("level", "allowed"), [(1, 5e-3), (2, 5e-4)])
-def test_pixels_agree_with_meshes(contacts: dict[str, Contact], pair: str, level: int, allowed: float) -> None:
+def test_pixels_agree_with_meshes(pair: str, level: int, allowed: float) -> None:
     """A second level with its twin; most of what is allowed is the error of a first level without extrapolation."""
-    contact = replace(contacts[pair], race_material=PEEK, load=20.0)
+    contact = replace(CONTACTS[pair], race_material=PEEK, load=20.0)
     found = press_pair(sampled(contact, level=level), load=contact.load)
     mesh = twin_on_level(contact, recipe=RECIPE, level=2, start=axes_of(contact))
     assert mesh is not None
-    for name in NAMES:
+    for name in COMPARED:
         assert getattr(found.quantities, name) == pytest.approx(mesh.corrected[name], rel=allowed), name
 
 
-def test_a_spline_over_the_load_goes_through_its_samples(contacts: dict[str, Contact]) -> None:
+def test_a_spline_over_the_load_goes_through_its_samples() -> None:
     loads = (90.0, 230.0, 610.0)
-    samples = [sampled(replace(contacts["outer"], load=load), level=1) for load in loads]
+    samples = [sampled(replace(OUTER, load=load), level=1) for load in loads]
     series = compliance_over_load(samples)
     for load, sample in zip(loads, samples, strict=True):
         again = series.at(load)
@@ -141,10 +117,10 @@ def test_a_spline_over_the_load_goes_through_its_samples(contacts: dict[str, Con
         np.testing.assert_allclose(again.added, sample.added, rtol=1e-9, atol=1e-12 * np.abs(sample.added).max())
 
 
-def test_an_addition_far_larger_than_the_half_spaces_is_refused(contacts: dict[str, Contact]) -> None:
-    sample = sampled(contacts["inner"], level=1)
+def test_an_addition_far_larger_than_the_half_spaces_is_refused() -> None:
+    sample = sampled(INNER, level=1)
     with pytest.raises(ConvergenceError, match="the shapes of ball and race add to half spaces") as caught:
-        press_pair(replace(sample, added=-300 * sample.added), load=contacts["inner"].load)
+        press_pair(replace(sample, added=-300 * sample.added), load=INNER.load)
     assert "\n" not in str(caught.value)
 
 

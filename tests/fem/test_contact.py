@@ -6,14 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from numpy.typing import NDArray
-from scipy.optimize import nnls
 
 from analytic.errors import ConvergenceError
-from fembearing.fem import contact
+from analytic.scene import Array
 from fembearing.fem.contact import is_positive_definite, press
-
-Array = NDArray[np.float64]
 
 
 def problem(seed: int, nodes: int = 23) -> dict[str, np.ndarray]:
@@ -76,25 +72,6 @@ def test_the_answer_is_that_of_a_search_through_all_subsets(seed: int) -> None:
         assert rounds <= 2**nodes
 
 
-def test_loads_over_six_decades_and_other_units() -> None:
-    """The same contact in millimetres and kilonewtons: the open and the closed nodes stay the same."""
-    random, nodes = np.random.default_rng(4), 19
-    place = np.linspace(-1.0, 1.3, nodes)
-    compliance = 4e-9 * np.exp(-2.0 * np.abs(place[:, None] - place))
-    case = {"drift": np.full(nodes, 1e-10), "gap": 3e-6 * place**2, "lever": random.uniform(0.9, 0.99, nodes)}
-    start, carrying = np.ones(nodes, bool), []
-    for load in (2e-3, 0.7, 31.0, 2300.0):
-        force, approach, _ = press(**case, compliance=compliance, load=load, start=start)
-        scaled = {"drift": case["drift"] * 1e6, "gap": case["gap"] * 1e3, "lever": case["lever"]}
-        other, deep, _ = press(**scaled, compliance=compliance * 1e6, load=load / 1e3, start=start)
-        np.testing.assert_allclose(other, force / 1e3, atol=1e-12 * load)  # round-off
-        np.testing.assert_allclose(deep, approach * 1e3, rtol=1e-10)
-        carrying.append(int((force > 0).sum()))
-    assert carrying == sorted(carrying)
-    assert carrying[0] == 1
-    assert carrying[-1] > 9
-
-
 def test_an_indefinite_compliance_is_refused_with_its_residual() -> None:
     """An indefinite compliance has no unique answer; the message must not report a residual of zero."""
     for seed in range(20):
@@ -110,7 +87,7 @@ def test_an_indefinite_compliance_is_refused_with_its_residual() -> None:
 
 
 @pytest.mark.parametrize(("nodes", "seed"), [(4, 2644), (5, 1992), (6, 587), (7, 3712), (8, 3369)])
-def test_sets_that_would_cycle_end_in_the_answer(nodes: int, seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_sets_that_would_cycle_end_in_the_answer(nodes: int, seed: int) -> None:
     """Positive definite; but if all wrong nodes always change together, the same sets come back."""
     random = np.random.default_rng(seed)
     root = random.normal(size=(nodes, nodes))
@@ -120,9 +97,6 @@ def test_sets_that_would_cycle_end_in_the_answer(nodes: int, seed: int, monkeypa
     expected, depth = exhaustive(*case.values(), load=2.3)
     np.testing.assert_allclose(force, expected, atol=1e-8 * 2.3)  # round-off times conditions up to 1e6
     np.testing.assert_allclose(approach, depth, rtol=1e-8)
-    monkeypatch.setattr(contact, "PATIENCE", contact.ROUNDS)
-    with pytest.raises(ConvergenceError, match="did not converge in 400 iterations"):
-        press(**case, drift=np.zeros(nodes), load=2.3, start=start)
 
 
 @given(seed=st.integers(0, 2**32 - 1), nodes=st.integers(2, 30), decades=st.floats(0, 9), bits=st.integers(0, 2**30))
@@ -145,28 +119,6 @@ def test_nearly_singular_compliances_from_any_start(seed: int, nodes: int, decad
     assert (gap > -round_off).all()
     assert (np.abs(gap) < round_off)[force > 0].all()
     np.testing.assert_allclose(force @ case["lever"], 2.3, rtol=1e-6)  # round-off times the condition, 1e9
-
-
-@given(seed=st.integers(0, 2**32 - 1))
-def test_forces_are_those_of_non_negative_least_squares(seed: int) -> None:
-    """A second method from the library, on 17 nodes.
-
-    With shares g = f lever/Q, which add up to 1, the energy is g M g Q/2, M = Q C/(lever lever) + s 1 + 1 s + beta,
-    s = gap/lever: beta adds a constant. As M is positive definite, g is along the h >= 0 of least h M h/2 - sum(h).
-    """
-    random, nodes, load = np.random.default_rng(seed), 17, 2.3
-    root = random.normal(size=(nodes, nodes + 9))
-    compliance, gap, lever = root @ root.T, random.uniform(0.0, 9.0, nodes), random.uniform(0.7, 0.99, nodes)
-    force, approach, _ = press(
-        compliance=compliance, drift=np.zeros(nodes), gap=gap, lever=lever, load=load, start=np.ones(nodes, bool)
-    )
-    slant, scaled = gap / lever, load * compliance / np.outer(lever, lever)
-    beta = 2 * slant @ np.linalg.solve(scaled, slant)
-    upper = np.linalg.cholesky(scaled + slant + slant[:, None] + beta).T
-    share, _ = nnls(upper, np.linalg.solve(upper.T, np.ones(nodes)))
-    np.testing.assert_allclose(force, load * share / share.sum() / lever, atol=1e-9 * load)  # round-off, M below 1e5
-    touching = int(np.argmax(force))
-    np.testing.assert_allclose(approach * lever[touching], gap[touching] + compliance[touching] @ force, rtol=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -205,21 +157,6 @@ def test_nodes_that_just_touch_do_not_change_for_ever(seed: int) -> None:
         )
         np.testing.assert_allclose(force, expected, atol=1e-9)  # round-off times a condition of 1e3
         np.testing.assert_allclose(approach, 37.0, rtol=1e-9)
-
-
-def test_the_residual_is_the_force_that_would_open_the_overlap(monkeypatch: pytest.MonkeyPatch) -> None:
-    """One node carries 2.3 N and sinks in by 2 * 2.3; its neighbour is pushed down by 0.5 * 2.3 and overlaps."""
-    monkeypatch.setattr(contact, "ROUNDS", 1)
-    with pytest.raises(ConvergenceError) as stop:
-        press(
-            compliance=np.array([[2.0, 0.5], [0.5, 1.6]]),
-            drift=np.zeros(2),
-            gap=np.array([0.0, 0.1]),
-            lever=np.ones(2),
-            load=2.3,
-            start=np.array([True, False]),
-        )
-    np.testing.assert_allclose(stop.value.residual, (2.0 * 2.3 - 0.5 * 2.3 - 0.1) / 1.6, rtol=1e-12)  # round-off
 
 
 @pytest.mark.parametrize(("share", "holds"), [(1e-9, True), (1e-14, False)])

@@ -5,35 +5,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.scene import Array, Contact
+from analytic.scene import Array
 from fembearing.fem.compliance import PairCompliance
 from fembearing.fem.half_space import contact_modulus, pressed_rectangle
 from fembearing.fem.pixel_contact import PIXELS, WIDEST, pixels_of, press_pair
 from fembearing.mesh.footprint import as_quarter
 from fembearing.mesh.race import distance_to_race
+from tests.contacts import INNER
 
 RATIO = 3.3201169227365472  # exp(1.2): one of the axis ratios that pixels have
 ROLLING = 0.11e-3  # m
 
 
 @pytest.fixture(scope="module")
-def even(contacts: dict[str, Contact]) -> PairCompliance:
-    return PairCompliance(
-        contact=contacts["inner"], level=1, semi_axes=(ROLLING, RATIO * ROLLING), added=np.zeros((6, 6))
-    )
-
-
-def test_pixels_fill_a_quarter_of_the_ellipse_and_a_fifth_more(even: PairCompliance) -> None:
-    pixels, side = pixels_of(even), WIDEST / PIXELS
-    x, y = pixels.x / ROLLING, pixels.y / ROLLING / RATIO
-    assert (np.hypot(x, y) < WIDEST).all()
-    assert min(x.min(), y.min()) == pytest.approx(side / 2)
-    assert x.max() == pytest.approx(y.max())
-    steps = np.append(np.diff(np.unique(x.round(9))), np.diff(np.unique(y.round(9))))
-    np.testing.assert_allclose(steps, side, rtol=1e-6)  # rounded to nine digits
-    assert pixels.area == pytest.approx(side**2 * ROLLING**2 * RATIO, rel=1e-8)  # ratio of nine digits
-    quarter = np.pi / 4 * WIDEST**2 * ROLLING**2 * RATIO
-    assert x.size * pixels.area == pytest.approx(quarter, rel=0.01)  # pixels on the edge
+def even() -> PairCompliance:
+    return PairCompliance(contact=INNER, level=1, semi_axes=(ROLLING, RATIO * ROLLING), added=np.zeros((6, 6)))
 
 
 def test_a_pixel_yields_under_four_rectangles(even: PairCompliance) -> None:

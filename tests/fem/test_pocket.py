@@ -3,11 +3,8 @@
 from dataclasses import replace
 
 import numpy as np
-import pytest
 
 from analytic.contact.geometry import pocket_contact
-from analytic.contact.hertz import contact_modulus
-from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.fem.condensation import held_stiffness
@@ -30,23 +27,6 @@ def solve(contact: Contact, recipe: str, level: int = 2) -> MeshSolution:
     if fitted.level == level:
         return fitted
     return solve_on_mesh(contact, recipe=made, level=level, semi_axes=fitted.pair.semi_axes)
-
-
-def test_a_pocket_is_a_sphere_around_a_smaller_one() -> None:
-    found = pocket()
-    assert (found.groove_radius, found.rolling_radius) == (4.07e-3, -4.07e-3)
-    assert found.load == 28.0
-    # the rim of a half pocket: a circle of the sphere, `depth` over its pole
-    assert found.shoulder**2 + (4.07e-3 - 3.9e-3) ** 2 == pytest.approx(4.07e-3**2, rel=1e-12)
-    # K = (4/3) E* sqrt(R), 1/R = 2/D_b - 2/D_p
-    reduced = 1 / (2 / 7.94e-3 - 2 / 8.14e-3)
-    expected = 4 / 3 * contact_modulus(STEEL, STEEL) * np.sqrt(reduced)
-    assert hertz_quantities(found).stiffness == pytest.approx(expected, rel=1e-12)
-
-
-def test_a_pocket_no_wider_than_the_ball_is_refused() -> None:
-    with pytest.raises(InputError, match=r"pocket_diameter 0\.00794 m must exceed ball_diameter 0\.00794"):
-        pocket(pocket_diameter=7.94e-3)
 
 
 def test_no_node_of_the_rim_can_move() -> None:

@@ -1,4 +1,7 @@
-"""Stresses under a computed contact against the closed form on the idealisation, and against the contact itself."""
+"""Stresses under a computed contact against the closed form on the idealisation, and against the contact itself.
+
+At nodes: exact for an even strain on curved cells.
+"""
 
 from dataclasses import replace
 from functools import cache
@@ -6,12 +9,15 @@ from functools import cache
 import numpy as np
 import pytest
 
-from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.contact.subsurface import axis_stress, subsurface_maximum
-from analytic.scene import Array, Contact, Material, Wall
+from analytic.scene import Contact, Material, Wall
+from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.fem.condensation import condense
+from fembearing.fem.elasticity import lame_parameters
+from fembearing.fem.nodal_stress import stress_at_nodes
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
-from fembearing.fem.subsurface import Side, SubsurfaceStress, _greatest, body_displacement, subsurface_stress
+from fembearing.fem.subsurface import Side, SubsurfaceStress, body_displacement, subsurface_stress, von_mises
+from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.recipe import load_recipe
 from tests import contacts
 from tests.contacts import NITRIDE, STEEL
@@ -26,10 +32,9 @@ SIDES = pytest.mark.parametrize("side", ["upper", "lower"])
 
 def hertz(contact: Contact) -> dict[str, float]:
     """Peak pressure, Pa, and semi-axes, m, by the argument names of the closed form."""
-    curvature_x, curvature_y = relative_curvatures(contact)
-    modulus = contact_modulus(contact.ball_material, contact.race_material)
-    found = hertz_contact(curvature_x=curvature_x, curvature_y=curvature_y, load=contact.load, modulus=modulus)
-    return {name: float(getattr(found, name)) for name in ("peak_pressure", "semi_axis_x", "semi_axis_y")}
+    found = hertz_quantities(contact)
+    axes = {"semi_axis_x": found.semi_axis_rolling, "semi_axis_y": found.semi_axis_transverse}
+    return {"peak_pressure": found.peak_pressure, **axes}
 
 
 @cache
@@ -47,9 +52,7 @@ def curve_error(found: SubsurfaceStress, contact: Contact, side: Side = "lower")
     """The largest error of the three stresses over all depths, in peak pressures."""
     exact, ratio = hertz(contact), material_of(contact, side).poisson_ratio
     right = axis_stress(
-        depth=found.depth,
-        poisson_ratio=np.asarray(ratio),
-        **{name: np.asarray(value) for name, value in exact.items()},
+        depth=found.depth, poisson_ratio=np.asarray(ratio), **{name: np.asarray(value) for name, value in exact.items()}
     )
     return float(np.abs(found.stress - [right.sigma_x, right.sigma_y, right.sigma_z]).max()) / exact["peak_pressure"]
 
@@ -151,42 +154,6 @@ def test_the_maxima_are_those_of_the_curve(ideal: MeshSolution) -> None:
     np.testing.assert_allclose(found.max_shear, np.max(np.abs([x - y, y - z, z - x]), axis=0) / 2, rtol=1e-12)
 
 
-def test_the_greatest_value_is_refined_between_the_points_of_its_curve() -> None:
-    """A parabola whose top, 7.31 at a depth of 0.4 um, lies between points; and one that is greatest on the surface."""
-    depth = np.linspace(0.0, 1.1e-6, 5)
-
-    def inside(z: Array) -> Array:
-        return 7.31 - (3e6 * (z - 0.4e-6)) ** 2
-
-    np.testing.assert_allclose(_greatest(depth, inside(depth), inside), (7.31, 0.4e-6), rtol=1e-5)  # xatol: 1e-6
-
-    def falling(z: Array) -> Array:
-        return 5.2 - 3e6 * z
-
-    assert _greatest(depth, falling(depth), falling) == (5.2, 0.0)
-
-
-@pytest.mark.nightly
-def test_true_shapes_differ_by_their_curvature() -> None:
-    """A convex ball is squeezed along its surface, a groove is spread: first order in b/r, so as load^(1/3)."""
-    spread: dict[str, list[float]] = {"upper": [], "lower": []}
-    for load in (INNER.load, INNER.load / 8):
-        contact = replace(INNER, load=load)
-        solved, exact = solve(contact, "race"), hertz(contact)
-        for side, departures in spread.items():
-            found = subsurface_stress(solved, side=side)  # pyright: ignore[reportArgumentType]
-            stress, depth = np.split(np.abs(errors(found, contact)), 2)
-            assert 1e-4 < stress.max() < 0.05  # a few per cent: 4 % of von Mises in the race
-            assert depth.max() < 0.1
-            here = {"depth": 0.0, "poisson_ratio": 0.3, **exact}
-            right = axis_stress(**{name: np.asarray(value) for name, value in here.items()})
-            departures.append(float((found.stress[1, 0] - right.sigma_y) / exact["peak_pressure"]))
-    assert max(spread["upper"]) < -0.02  # ten times what the mesh is off on the idealisation
-    assert min(spread["lower"]) > 0.02
-    for heavy, light in spread.values():
-        np.testing.assert_allclose(heavy / light, 2, rtol=0.1)  # the next order in b/r, 0.27 at the heavier load
-
-
 def test_the_back_of_a_sheet_is_free_of_load() -> None:
     """The wall of a pocket ends before the curve would; bending causes tension there, and no pressure."""
     wall = Wall(thickness=0.8e-3, depth=2.5e-3)
@@ -198,3 +165,41 @@ def test_the_back_of_a_sheet_is_free_of_load() -> None:
     assert abs(z) < 5e-3  # 2e-3 measured on this level, 1e-3 on the next
     assert x > 0.2
     np.testing.assert_allclose(x, y, rtol=1e-6)  # it is round
+
+
+# -- at nodes --------------------------------------------------------------------------------------------------------
+
+
+SLOPE = 1e-4 * np.array([[3.0, -1.2, 0.7], [0.4, -2.0, 1.9], [2.3, 0.6, 0.8]])  # du_i/dx_j
+
+
+def test_an_even_strain_has_its_stress_at_every_node() -> None:
+    pair = pair_mesh(contacts.INNER, recipe=load_recipe("race"), level=1, semi_axes=(0.11e-3, 0.83e-3))
+    lam, mu = lame_parameters(STEEL)
+    strain = (SLOPE + SLOPE.T) / 2
+    exact = 2 * mu * strain + lam * np.trace(strain) * np.eye(3)
+    for body in (pair.upper, pair.lower):
+        found = stress_at_nodes(body.mesh, SLOPE @ body.mesh.doflocs, STEEL)
+        wanted = exact[[0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]]
+        # rounding: positions of millimetres to 1e-16 m, differences over cells of micrometres
+        np.testing.assert_allclose(found, np.broadcast_to(wanted[:, None], found.shape), rtol=0, atol=1e-6 * mu * 1e-4)
+
+
+def test_a_strain_that_varies_evenly_is_exact_along_depth() -> None:
+    """u_x = c x z: the stress is linear, as its extrapolation to the nodes is."""
+    pair = pair_mesh(contacts.INNER, recipe=load_recipe("hertzian"), level=1, semi_axes=(0.11e-3, 0.83e-3))
+    mesh, slope = pair.lower.mesh, 0.3  # 1/m
+    x, _, z = mesh.doflocs
+    lam, mu = lame_parameters(STEEL)
+    found = stress_at_nodes(mesh, np.array([slope * x * z, 0 * x, 0 * x]), STEEL)
+    nothing = 0 * x
+    exact = np.array([(lam + 2 * mu) * z, lam * z, lam * z, nothing, nothing, mu * x]) * slope
+    np.testing.assert_allclose(found[:5], exact[:5], rtol=0, atol=1e-12 * np.abs(exact).max())  # rounding
+    # Around the ellipse x is no linear function within a cell.
+    np.testing.assert_allclose(found[5], exact[5], rtol=0, atol=2e-3 * np.abs(exact).max())
+
+
+def test_the_equivalent_stress_of_plain_states() -> None:
+    tension, shear = np.array([5.0, 0, 0, 0, 0, 0]), np.array([0, 0, 0, 0, 3.0, 0])
+    pressure = np.array([-7.0, -7.0, -7.0, 0, 0, 0])
+    np.testing.assert_allclose(von_mises(np.stack([tension, shear, pressure], axis=1)), [5.0, 3.0 * 3**0.5, 0.0])

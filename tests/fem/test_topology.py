@@ -7,40 +7,37 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
-from analytic.scene import Contact
+from analytic.scene import Array, Contact
 from fembearing.fem import factor, topology
 from fembearing.fem.condensation import CondensedBody, condense, held_stiffness
 from fembearing.fem.factor import new_factor
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import load_recipe
-from tests.contacts import NITRIDE, STEEL
+from tests.contacts import CONTACTS, INNER, NITRIDE, OUTER, STEEL
 from tests.fem.assembly import stiffness, symmetric
 
-Array = NDArray[np.float64]
 RECIPE = load_recipe("race")
 SIZES = (0.12e-3, 1.05e-3), (0.17e-3, 0.71e-3)  # m: two contacts on cells of the same numbers
 has_pardiso = pytest.mark.skipif(factor.PardisoSolver is None, reason="PARDISO is not available for this processor")
 
 
-def meshed(contacts: dict[str, Contact], level: int) -> list[PairMesh]:
-    both = zip((contacts["inner"], contacts["outer"]), SIZES, strict=True)
+def meshed(level: int) -> list[PairMesh]:
+    both = zip((INNER, OUTER), SIZES, strict=True)
     return [pair_mesh(contact, recipe=RECIPE, level=level, semi_axes=size) for contact, size in both]
 
 
 @pytest.fixture(scope="module")
-def pairs(contacts: dict[str, Contact]) -> list[PairMesh]:
-    return meshed(contacts, 2)
+def pairs() -> list[PairMesh]:
+    return meshed(2)
 
 
 def reduced(pair: PairMesh, side: str) -> CondensedBody:
-    body, force, material = {
-        "upper": (pair.upper, -pair.normal, NITRIDE),
-        "lower": (pair.lower, pair.normal, STEEL),
-    }[side]
+    body, force, material = {"upper": (pair.upper, -pair.normal, NITRIDE), "lower": (pair.lower, pair.normal, STEEL)}[
+        side
+    ]
     return condense(body, material=material, force=force, semi_axes=pair.semi_axes)
 
 
@@ -85,33 +82,10 @@ def test_assembled_entries_are_those_of_the_cells_added_one_by_one(pairs: list[P
     np.testing.assert_allclose(held.far_force, far, atol=1e-14 * np.abs(far).max() * 1e3, rtol=0)  # cancelling entries
 
 
-@has_pardiso
-def test_the_memory_is_bounded(pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch) -> None:
-    """Numbers go first, then whole topologies, those used longest ago first; the last one stays, without numbers."""
-    store = kept(monkeypatch)
-    fresh = {side: reduced(pairs[0], side).compliance for side in ("lower", "upper")}
-    lower, upper = store.values()
-    most = lower.memory + upper.memory
-    assert upper.memory > lower.memory > 1e6
-    monkeypatch.setattr(topology, "MOST_MEMORY", most)
-    reduced(pairs[0], "upper")
-    assert lower.memory + upper.memory == most  # as much as may be kept
-    monkeypatch.setattr(topology, "MOST_MEMORY", most - 1)
-    np.testing.assert_array_equal(reduced(pairs[0], "upper").compliance, fresh["upper"])
-    assert list(store.values()) == [lower, upper]
-    assert lower.memory + upper.memory < most
-    np.testing.assert_array_equal(reduced(pairs[0], "lower").compliance, fresh["lower"])
-    monkeypatch.setattr(topology, "MOST_MEMORY", 1)
-    before = upper.memory
-    np.testing.assert_array_equal(reduced(pairs[0], "upper").compliance, fresh["upper"])
-    assert list(store.values()) == [upper]
-    assert upper.memory <= before
-
-
 @pytest.mark.usefixtures("solver")
-def test_a_solution_is_that_of_its_own_matrix(contacts: dict[str, Contact]) -> None:
+def test_a_solution_is_that_of_its_own_matrix() -> None:
     """After the other body of the same topology was factored, after the same one, and before any was."""
-    pairs = meshed(contacts, 1)
+    pairs = meshed(1)
     systems = [held_stiffness(pair.lower, material=STEEL, semi_axes=pair.semi_axes) for pair in pairs]
     right = np.random.default_rng(5).normal(size=systems[0].free.size)
     for number in (0, 0, 1, 0):
@@ -168,12 +142,10 @@ def test_superlu_takes_what_a_factor_gives_up() -> None:
 
 
 @pytest.mark.parametrize("threads", [1, 2])
-def test_threads_do_not_change_a_bit(
-    contacts: dict[str, Contact], threads: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_threads_do_not_change_a_bit(threads: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Both bodies of a contact at once, and several contacts at once that share their topologies."""
     monkeypatch.setattr("fembearing.fem.solution.solver_threads", lambda: threads)
-    chosen = [(contacts[name], size) for name in ("inner", "outer") for size in SIZES]
+    chosen = [(CONTACTS[name], size) for name in ("inner", "outer") for size in SIZES]
 
     def solve(task: tuple[Contact, tuple[float, float]]) -> Array:
         contact, size = task
@@ -187,21 +159,6 @@ def test_threads_do_not_change_a_bit(
     with ThreadPoolExecutor(len(chosen)) as pool:
         for one, together in zip(alone, pool.map(solve, chosen), strict=True):
             np.testing.assert_array_equal(together, one)
-
-
-def test_numbers_of_nodes_change_nothing() -> None:
-    """One cell among held nodes without cells: few, and so many that the product of two numbers needs 64 bits."""
-    cells: Any = np.random.default_rng(5).permutation(27)[:, None].astype(np.int32)  # as scikit-fem has them
-    held = np.zeros((3, 27), dtype=bool)
-    held[:, [3, 8]] = True
-    entries = np.random.default_rng(6).uniform(-2.0, 3.0, (topology.Topology(cells, held)._place.size,))
-    plain = topology.Topology(cells, held).assembled(entries).toarray()
-    for number, nodes in ((np.arange(27) + 1, 29), (np.arange(27) * 2600 + 4, 70_000)):
-        spread = np.ones((3, nodes), dtype=bool)
-        spread[:, number] = held
-        far: Any = number.astype(np.int32)[cells]
-        moved = topology.Topology(far, spread)
-        np.testing.assert_array_equal(moved.assembled(entries).toarray(), plain)
 
 
 def test_other_held_nodes_are_another_topology(pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch) -> None:

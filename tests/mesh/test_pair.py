@@ -11,7 +11,6 @@ from skfem import MeshHex2
 
 from analytic.contact.geometry import pocket_contact
 from analytic.errors import InputError
-from analytic.scene import Contact
 from fembearing.mesh.ball import block_of_ball, flat_ball
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import Footprint
@@ -20,6 +19,7 @@ from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.race import widest_on_race
 from fembearing.mesh.recipe import load_recipe
 from tests.analytic.specimens import BEARING_6205, STAMPED_CAGE
+from tests.contacts import CONTACTS, INNER, OUTER
 
 Array = NDArray[np.float64]
 PAIRS, RECIPES = ("inner", "outer"), ("race", "hertzian")
@@ -27,9 +27,9 @@ SEMI_AXES = {"inner": (0.100e-3, 0.936e-3), "outer": (0.135e-3, 0.771e-3)}  # m,
 ROUND_OFF = 1e-12  # of a coordinate relative to the body's size, after a few dozen operations
 
 
-def made(contacts: dict[str, Contact], pair: str, recipe: str, level: int, extended: bool = False) -> PairMesh:
+def made(pair: str, recipe: str, level: int, extended: bool = False) -> PairMesh:
     shape = load_recipe(recipe)
-    return pair_mesh(contacts[pair], recipe=shape, level=level, semi_axes=SEMI_AXES[pair], extended=extended)
+    return pair_mesh(CONTACTS[pair], recipe=shape, level=level, semi_axes=SEMI_AXES[pair], extended=extended)
 
 
 def surface(body: BodyMesh) -> Array:
@@ -39,13 +39,13 @@ def surface(body: BodyMesh) -> Array:
 @pytest.mark.parametrize("level", [1, 2, pytest.param(4, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("recipe", RECIPES)
 @pytest.mark.parametrize("pair", PAIRS)
-def test_no_cell_is_inside_out(contacts: dict[str, Contact], pair: str, recipe: str, level: int) -> None:
+def test_no_cell_is_inside_out(pair: str, recipe: str, level: int) -> None:
     """Over seven decades of load and grooves from tight to open; coarse cells fold most easily."""
     # N; level 4 costs the most and folds the least
     sizes = (1e-3, 0.21, 37.0, 620.0, 5000.0) if level < 4 else (1e-3, 620.0)
     for load in sizes:
         for conformity in (0.507, 0.53, 0.71):
-            contact = replace(contacts[pair], load=load, groove_radius=conformity * 7.94e-3)
+            contact = replace(CONTACTS[pair], load=load, groove_radius=conformity * 7.94e-3)
             # the ellipse grows as load^(1/3) and, roughly, as the square root of how closely the groove fits
             longer = min(np.sqrt(0.02 / (conformity - 0.5)), 2.0) * np.cbrt(load / 372.0)
             semi_axes = SEMI_AXES[pair][0] * np.cbrt(load / 372.0), SEMI_AXES[pair][1] * longer
@@ -58,9 +58,9 @@ def test_no_cell_is_inside_out(contacts: dict[str, Contact], pair: str, recipe: 
                 assert quality.least_determinant > 0, (load, conformity, body.name, quality)
 
 
-def test_a_contact_too_wide_for_its_ball_is_refused(contacts: dict[str, Contact]) -> None:
+def test_a_contact_too_wide_for_its_ball_is_refused() -> None:
     """With the load up to which the mesh holds: there is a mesh for its ellipse, and none for a little more."""
-    contact, recipe = contacts["inner"], load_recipe("race")
+    contact, recipe = INNER, load_recipe("race")
     with pytest.raises(InputError, match=r"too wide for a ball of radius 3\.97 mm") as caught:
         pair_mesh(contact, recipe=recipe, level=1, semi_axes=(1.4e-3, 2.1e-3))
     assert "\n" not in str(caught.value)
@@ -87,9 +87,9 @@ def test_a_conformal_pocket_is_meshed_up_to_its_limit_and_refused_beyond(clearan
         pair_mesh(contact, recipe=recipe, level=1, semi_axes=(1.01 * limit, 1.01 * limit))
 
 
-def test_a_folded_cell_is_detected_and_located(contacts: dict[str, Contact]) -> None:
+def test_a_folded_cell_is_detected_and_located() -> None:
     """mesh_quality itself: if it looked at |det J|, every mesh above would pass."""
-    mesh = made(contacts, "inner", "hertzian", 2).upper.mesh
+    mesh = made("inner", "hertzian", 2).upper.mesh
     corner, centre = mesh.t[0, 17], mesh.p[:, mesh.t[:, 17]].mean(axis=1)
     folded = mesh.doflocs.copy()
     folded[:, corner] += 2.3 * (centre - folded[:, corner])  # past the centre: the corner turns inwards
@@ -101,34 +101,31 @@ def test_a_folded_cell_is_detected_and_located(contacts: dict[str, Contact]) -> 
     assert np.abs(np.array(after.worst_place) - centre).max() < 3 * np.abs(mesh.p[:, corner] - centre).max()
 
 
-def test_the_balls_volume_converges_to_an_octant(contacts: dict[str, Contact]) -> None:
-    radius = contacts["outer"].ball_radius
+def test_the_balls_volume_converges_to_an_octant() -> None:
+    radius = OUTER.ball_radius
     exact = 4 / 3 * np.pi * radius**3 / 8
-    errors = [
-        abs(mesh_quality(made(contacts, "outer", "race", level).upper.mesh).volume / exact - 1)
-        for level in (1, 2, 3, 4)
-    ]
+    errors = [abs(mesh_quality(made("outer", "race", level).upper.mesh).volume / exact - 1) for level in (1, 2, 3, 4)]
     assert errors[-1] < 1e-3
     # Quadratic cells on a smooth map would give order 4; this map is flat along the cube's outer edges, hence less.
     assert np.log(errors[1] / errors[3]) / np.log(2) > 2.5, errors
 
 
-def test_the_balls_surface_is_a_sphere(contacts: dict[str, Contact]) -> None:
-    ball = made(contacts, "inner", "race", 3).upper
-    radius = contacts["inner"].ball_radius
+def test_the_balls_surface_is_a_sphere() -> None:
+    ball = made("inner", "race", 3).upper
+    radius = INNER.ball_radius
     x, y, z = surface(ball)
     np.testing.assert_allclose(x**2 + y**2 + (z - radius) ** 2, radius**2, rtol=ROUND_OFF)
     assert np.ptp(z) > 0.3 * radius  # the surface is more than its pole
 
 
 @pytest.mark.parametrize("pair", PAIRS)
-def test_the_races_surface_is_a_torus(contacts: dict[str, Contact], pair: str) -> None:
+def test_the_races_surface_is_a_torus(pair: str) -> None:
     """In cylinder coordinates about the ring's axis the groove is a circle of radius r_g with its bottom on the ring.
 
     The ring's axis runs along y through z = -R; on the outer ring R < 0, so it lies on the ball's side.
     """
-    contact = contacts[pair]
-    x, y, z = surface(made(contacts, pair, "race", 3).lower)
+    contact = CONTACTS[pair]
+    x, y, z = surface(made(pair, "race", 3).lower)
     from_axis = np.hypot(x, z + contact.rolling_radius)
     centre = abs(contact.rolling_radius) + np.sign(contact.rolling_radius) * contact.groove_radius
     groove = y < contact.shoulder
@@ -143,9 +140,9 @@ def test_the_races_surface_is_a_torus(contacts: dict[str, Contact], pair: str) -
 
 
 @pytest.mark.parametrize("pair", PAIRS)
-def test_touching_nodes_face_each_other_along_the_balls_normal(contacts: dict[str, Contact], pair: str) -> None:
-    bodies = made(contacts, pair, "race", 2)
-    radius = contacts[pair].ball_radius
+def test_touching_nodes_face_each_other_along_the_balls_normal(pair: str) -> None:
+    bodies = made(pair, "race", 2)
+    radius = CONTACTS[pair].ball_radius
     ball = bodies.upper.mesh.doflocs[:, bodies.upper.touching]
     race = bodies.lower.mesh.doflocs[:, bodies.lower.touching]
     outwards = (ball - np.array([[0.0], [0.0], [radius]])) / radius
@@ -160,10 +157,10 @@ def test_touching_nodes_face_each_other_along_the_balls_normal(contacts: dict[st
 
 
 @pytest.mark.parametrize("pair", PAIRS)
-def test_the_idealised_gap_is_that_of_the_true_bodies_near_the_centre(contacts: dict[str, Contact], pair: str) -> None:
+def test_the_idealised_gap_is_that_of_the_true_bodies_near_the_centre(pair: str) -> None:
     """On a mesh so small that quartic terms vanish; a wrong sign of either radius of the race fails here."""
     small = 2.1e-6, 13e-6  # m; (y/r)^2 is 1e-5
-    real, ideal = (pair_mesh(contacts[pair], recipe=load_recipe(r), level=1, semi_axes=small) for r in RECIPES)
+    real, ideal = (pair_mesh(CONTACTS[pair], recipe=load_recipe(r), level=1, semi_axes=small) for r in RECIPES)
     spread = ideal.gap.max()
     np.testing.assert_allclose(real.gap, ideal.gap, atol=3e-5 * spread)  # (margin y/r)^2 = 2e-5, and round-off
     assert spread > 0
@@ -174,8 +171,8 @@ def test_the_idealised_gap_is_that_of_the_true_bodies_near_the_centre(contacts: 
 
 
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_node_sets_are_where_their_conditions_belong(contacts: dict[str, Contact], recipe: str) -> None:
-    bodies = made(contacts, "outer", recipe, 2)
+def test_node_sets_are_where_their_conditions_belong(recipe: str) -> None:
+    bodies = made("outer", recipe, 2)
     reach = load_recipe(recipe).domain.extent * SEMI_AXES["outer"][1]
     for body in (bodies.upper, bodies.lower):
         place = body.mesh.doflocs
@@ -184,7 +181,7 @@ def test_node_sets_are_where_their_conditions_belong(contacts: dict[str, Contact
             np.testing.assert_array_equal(body.planes[axis], np.flatnonzero(in_plane))
         assert set(body.touching) < set(body.surface)
         if body.name == "ball":
-            radius = contacts["outer"].ball_radius
+            radius = OUTER.ball_radius
             np.testing.assert_array_equal(body.planes[2], np.flatnonzero(np.abs(place[2] - radius) < 1e-9 * radius))
             assert body.far.size == 0
         else:
@@ -208,12 +205,12 @@ def lines(body: BodyMesh) -> list[Array]:
 
 
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_levels_divide_every_cell_in_the_same_number(contacts: dict[str, Contact], recipe: str) -> None:
+def test_levels_divide_every_cell_in_the_same_number(recipe: str) -> None:
     """Level n cuts each cell of level 1 into n, n, n, the outermost too: else an observed order means nothing."""
     shape = load_recipe(recipe).cells
-    coarse = made(contacts, "inner", recipe, 1)
+    coarse = made("inner", recipe, 1)
     for level in (2, 3):
-        fine = made(contacts, "inner", recipe, level)
+        fine = made("inner", recipe, level)
         for side in ("upper", "lower"):
             few, many = getattr(coarse, side), getattr(fine, side)
             assert many.mesh.t.shape[1] == level**3 * few.mesh.t.shape[1]
@@ -227,10 +224,8 @@ def test_levels_divide_every_cell_in_the_same_number(contacts: dict[str, Contact
 
 @pytest.mark.parametrize("level", [1, 3])
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_a_ring_of_cell_faces_lies_on_the_expected_ellipse(
-    contacts: dict[str, Contact], recipe: str, level: int
-) -> None:
-    bodies = made(contacts, "inner", recipe, level)
+def test_a_ring_of_cell_faces_lies_on_the_expected_ellipse(recipe: str, level: int) -> None:
+    bodies = made("inner", recipe, level)
     mesh = bodies.upper.mesh
     a, b = SEMI_AXES["inner"]
     reach = np.hypot(mesh.doflocs[0] / a, mesh.doflocs[1] / b)
@@ -250,11 +245,11 @@ def test_a_ring_of_cell_faces_lies_on_the_expected_ellipse(
 
 
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_extending_adds_cells_around_a_block_and_moves_none(contacts: dict[str, Contact], recipe: str) -> None:
+def test_extending_adds_cells_around_a_block_and_moves_none(recipe: str) -> None:
     """The difference measures the effect of the far boundary, so that nothing else may differ."""
     shape = load_recipe(recipe)
     less, whole = (
-        pair_mesh(contacts["inner"], recipe=shape, level=2, semi_axes=SEMI_AXES["inner"], extended=extended)
+        pair_mesh(INNER, recipe=shape, level=2, semi_axes=SEMI_AXES["inner"], extended=extended)
         for extended in (False, True)
     )
     np.testing.assert_array_equal(whole.gap, less.gap)
@@ -272,19 +267,19 @@ def test_extending_adds_cells_around_a_block_and_moves_none(contacts: dict[str, 
         assert not set(cut.far) & set(cut.touching)
 
 
-def test_a_mesh_with_a_folded_cell_is_refused(contacts: dict[str, Contact]) -> None:
+def test_a_mesh_with_a_folded_cell_is_refused() -> None:
     """In one line, with the cell and a remedy; the solver would return a number for such a mesh."""
     recipe = load_recipe("race")
     wide = replace(recipe, patch=replace(recipe.patch, core_size=1.7))  # a core beyond its own contact's edge
     with pytest.raises(InputError, match=r"cell \d+ of the ball.* inside out at .* recipe race") as caught:
-        pair_mesh(contacts["outer"], recipe=wide, level=2, semi_axes=SEMI_AXES["outer"])
+        pair_mesh(OUTER, recipe=wide, level=2, semi_axes=SEMI_AXES["outer"])
     assert "\n" not in str(caught.value)
 
 
 @pytest.mark.parametrize("level", [1, 2])
-def test_the_flat_ball_has_the_columns_and_the_layers_of_the_ball(contacts: dict[str, Contact], level: int) -> None:
+def test_the_flat_ball_has_the_columns_and_the_layers_of_the_ball(level: int) -> None:
     """Seen along the load both have the same nodes; on the axis of the load they lie at the same depths."""
-    contact, recipe = contacts["inner"], load_recipe("race")
+    contact, recipe = INNER, load_recipe("race")
     ball = pair_mesh(contact, recipe=recipe, level=level, semi_axes=SEMI_AXES["inner"]).upper
     flat = flat_ball(block_of_ball(contact, recipe, level, Footprint(semi_axes=SEMI_AXES["inner"])))
     np.testing.assert_array_equal(ball.mesh.t, flat.mesh.t)

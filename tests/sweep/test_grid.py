@@ -85,21 +85,6 @@ def test_conformity_sets_both_grooves_and_nothing_else(grid_file: Callable[..., 
     assert found.diametral_clearance == plain.diametral_clearance
 
 
-@pytest.mark.parametrize(
-    "axes",
-    [
-        LOADS,
-        'operation.axial_load = { from = "100 N", to = "1 kN", count = 300 }\n'
-        'operation.inner_speed = { from = "100 rpm", to = "9000 rpm", count = 200 }\nfriction.coefficient = [0.1, 0.2]',
-        "friction.coefficient = { from = 0.01, to = 0.1, count = 173 }\n" + LOADS,
-    ],
-)
-def test_pieces_hold_every_point_once(grid_file: Callable[..., Path], axes: str) -> None:
-    grid = load_grid(grid_file(axes))
-    found = [point for piece in pieces(grid) for point in range(piece.start, piece.stop)]
-    assert found == list(range(grid.size))
-
-
 def test_the_points_of_a_piece_lie_in_it_from_its_start(grid_file: Callable[..., Path]) -> None:
     """Also where it begins and ends within a series."""
     axes = 'operation.axial_load = ["100 N", "300 N", "700 N"]\nfriction.coefficient = [0.03, 0.08]'
@@ -122,23 +107,7 @@ def test_a_point_that_fails_has_its_reason_in_its_own_place(grid_file: Callable[
 
 
 @pytest.mark.parametrize(
-    ("axes", "counts"),
-    [
-        ('operation.radial_load = { from = "10 N", to = "1 kN", count = 75 }', [15, 15, 15, 15, 15]),
-        (
-            'operation.moment = ["0 N m", "1 N m"]\nfriction.coefficient = { from = 0.02, to = 0.1, count = 20 }',
-            [16, 16, 8],
-        ),
-    ],
-)
-def test_pieces_are_short_where_balls_carry_unlike_loads(
-    grid_file: Callable[..., Path], axes: str, counts: list[int]
-) -> None:
-    assert [piece.stop - piece.start for piece in pieces(load_grid(grid_file(axes)))] == counts
-
-
-@pytest.mark.parametrize(
-    ("axes", "complaint"),
+    ("given", "complaint"),
     [
         ("", "axes = {} is empty; give for example operation.axial_load"),
         ('load = ["1 N"]', "axes: load is no key of a scene file; did you mean operation.radial_load or "),
@@ -159,10 +128,18 @@ def test_pieces_are_short_where_balls_carry_unlike_loads(
         ('operation.axial_load = { from = "1 N", to = "9 N", count = 90000 }\n'
             'operation.inner_speed = { from = "1 rpm", to = "9 rpm", count = 90000 }',
             "90000 x 90000 = 8,100,000,000 points are too many for this machine's memory"),
+        (("seen = 3", LOADS), "seen = 3 is an unknown key; did you mean scene"),
+        (('pair = "inner"', LOADS), "pair is of a contact"),
+        (('what = "contact"\npair = "between"', LOADS), 'give "inner", "outer" or "pocket"'),
+        (('what = "contact"\npair = "inner"', 'pair = ["outer"]'), "pair is an axis and has one value"),
     ],
 )  # fmt: skip
-def test_a_mistake_is_one_line(grid_file: Callable[..., Path], axes: str, complaint: str | None) -> None:
-    path = grid_file(axes)
+def test_a_mistake_is_one_line(
+    grid_file: Callable[..., Path], given: str | tuple[str, str], complaint: str | None
+) -> None:
+    """Of axes, or of what stands above them."""
+    head, axes = ("", given) if isinstance(given, str) else given
+    path = grid_file(axes, head=head)
     if complaint is None:
         assert load_grid(path).axes
         return
@@ -183,22 +160,6 @@ def test_as_many_points_as_half_of_the_memory_holds_are_accepted(
         load_grid(grid_file(LOADS + speeds.replace("COUNT", "7")))
 
 
-@pytest.mark.parametrize(
-    ("head", "axes", "complaint"),
-    [
-        ("seen = 3", LOADS, "seen = 3 is an unknown key; did you mean scene"),
-        ('pair = "inner"', LOADS, "pair is of a contact"),
-        ('what = "contact"\npair = "between"', LOADS, 'give "inner", "outer" or "pocket"'),
-        ('what = "contact"\npair = "inner"', 'pair = ["outer"]', "pair is an axis and has one value"),
-    ],
-)
-def test_a_mistake_above_the_axes_is_one_line(
-    grid_file: Callable[..., Path], head: str, axes: str, complaint: str
-) -> None:
-    with pytest.raises(InputError, match=complaint):
-        load_grid(grid_file(axes, head=head))
-
-
 def test_a_scene_has_a_path_or_is_built_in(grid_file: Callable[..., Path], tmp_path: Path) -> None:
     axes = 'operation.inner_speed = ["90 rpm"]'
     builtin = load_grid(grid_file(axes, head='scene = "paper_6205"', scene="")).scene(0)
@@ -216,35 +177,41 @@ LOAD_STEPS = 'operation.axial_load = { from = "100 N", to = "1 kN", count = COUN
 TWO = "friction.coefficient = [0.05, 0.07]\n"
 
 
+CAGED = SCENE + "\n[scene.cage]\n"
+
+
 @pytest.mark.parametrize(
-    ("axes", "head", "counts"),
+    ("axes", "above", "counts"),
     [
-        (LOAD_STEPS.replace("COUNT", "1000"), "", [1000]),
-        (TWO + LOAD_STEPS.replace("COUNT", "1000"), "", [1000, 1000]),  # each scene by itself
-        (TWO + LOAD_STEPS.replace("COUNT", "1001"), "", [500, 501, 500, 501]),
-        ("friction.coefficient = { from = 0.01, to = 0.1, count = 101 }\n", "", [50, 50, 1]),
+        (LOAD_STEPS.replace("COUNT", "1000"), {}, [1000]),
+        (TWO + LOAD_STEPS.replace("COUNT", "1000"), {}, [1000, 1000]),  # each scene by itself
+        (TWO + LOAD_STEPS.replace("COUNT", "1001"), {}, [500, 501, 500, 501]),
+        ("friction.coefficient = { from = 0.01, to = 0.1, count = 101 }\n", {}, [50, 50, 1]),
         (
             "friction.coefficient = { from = 0.01, to = 0.1, count = 7 }\n" + LOAD_STEPS.replace("COUNT", "300"),
-            "",
+            {},
             [900, 900, 300],
         ),
-        (TWO + LOAD_STEPS.replace("COUNT", "3"), "samples = 64", [3, 3]),
-        (TWO + LOAD_STEPS.replace("COUNT", "3"), 'what = "contact"', [1] * 6),
-        ('cage.start = ["rest", "whirl"]\n' + LOAD_STEPS.replace("COUNT", "3"), "", [1] * 6),
+        ('operation.radial_load = { from = "10 N", to = "1 kN", count = 75 }', {}, [15] * 5),  # of unlike loads
+        (
+            'operation.moment = ["0 N m", "1 N m"]\nfriction.coefficient = { from = 0.02, to = 0.1, count = 20 }',
+            {},
+            [16, 16, 8],
+        ),
+        (TWO + LOAD_STEPS.replace("COUNT", "3"), {"head": "samples = 64"}, [3, 3]),
+        (TWO + LOAD_STEPS.replace("COUNT", "3"), {"head": 'what = "contact"'}, [1] * 6),
+        ('cage.start = ["rest", "whirl"]\n' + LOAD_STEPS.replace("COUNT", "3"), {}, [1] * 6),
+        (LOAD_STEPS.replace("COUNT", "4"), {"scene": CAGED}, [4]),
+        (LOAD_STEPS.replace("COUNT", "4"), {"scene": CAGED + 'start = "rest"\n'}, [1] * 4),
     ],
 )
 def test_pieces_take_a_few_seconds_each(
-    grid_file: Callable[..., Path], axes: str, head: str, counts: list[int]
+    grid_file: Callable[..., Path], axes: str, above: dict[str, str], counts: list[int]
 ) -> None:
     """At most 1000 points under thrust and 50 scenes; an interval, a contact and a moving cage stand by themselves."""
-    assert [len(piece) for piece in pieces(load_grid(grid_file(axes, head=head)))] == counts
-
-
-def test_a_cage_that_starts_in_the_scene_makes_each_point_a_piece(grid_file: Callable[..., Path]) -> None:
-    axes = LOAD_STEPS.replace("COUNT", "4")
-    resting = SCENE + "\n[scene.cage]\n"
-    assert len(list(pieces(load_grid(grid_file(axes, scene=resting))))) == 1
-    assert len(list(pieces(load_grid(grid_file(axes, scene=resting + 'start = "rest"\n'))))) == 4
+    found = list(pieces(load_grid(grid_file(axes, **above))))
+    assert [len(piece) for piece in found] == counts
+    assert [point for piece in found for point in range(piece.start, piece.stop)] == list(range(sum(counts)))
 
 
 def test_a_list_of_one_value_in_the_scene_is_no_series(grid_file: Callable[..., Path]) -> None:

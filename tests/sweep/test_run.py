@@ -138,21 +138,6 @@ def test_a_full_disk_is_one_line_and_nothing_is_lost(
     assert run_sweep(path, out=out).kept == kept
 
 
-@pytest.mark.usefixtures("short_pieces")
-def test_the_order_in_which_pieces_finish_does_not_matter(
-    grid_file: Write, tmp_path: Path, in_process: list[Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    path = grid_file(AXES)
-    forward = run_sweep(path, out=tmp_path / "forward").to_dataset()
-
-    def backward(function: Any, tasks: list[Any], **_: Any) -> Any:
-        yield from ((task, function(task)) for task in reversed(tasks))
-
-    monkeypatch.setattr("fembearing.sweep.run.each_done", backward)
-    assert run_sweep(path, out=tmp_path / "backward").to_dataset().drop_attrs().identical(forward.drop_attrs())
-    assert in_process
-
-
 @pytest.mark.usefixtures("in_process")
 @pytest.mark.parametrize(
     ("before", "after", "changed"),
@@ -209,17 +194,6 @@ def test_a_folder_that_holds_something_else_is_left_alone(grid_file: Write, tmp_
     shutil.rmtree(out)
     with pytest.raises(InputError, match="--workers 0: give a whole number from 1"):
         run_sweep(path, out=out, workers=0)
-
-
-@pytest.mark.usefixtures("in_process")
-def test_two_at_once_in_one_folder_are_refused(grid_file: Write, tmp_path: Path) -> None:
-    path, out = grid_file(AXES), tmp_path / "out"
-    with (
-        opened_store(out, load_grid(path)),
-        pytest.raises(InputError, match="another sweep is at work there; wait for it"),
-    ):
-        run_sweep(path, out=out)
-    assert run_sweep(path, out=out).computed == 48
 
 
 @pytest.mark.usefixtures("in_process")

@@ -50,9 +50,9 @@ from fembearing.check.contact.warnings import (
 )
 from fembearing.check.memory import peak_memory
 from fembearing.fem.measure import STRIP, Quantities
-from fembearing.fem.nodal_stress import stress_at_nodes, von_mises
+from fembearing.fem.nodal_stress import stress_at_nodes
 from fembearing.fem.solution import MeshSolution
-from fembearing.fem.subsurface import Side, body_displacement, body_of
+from fembearing.fem.subsurface import Side, body_displacement, body_of, von_mises
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Geometry, Recipe
 from fembearing.mesh.ring import known_ring
