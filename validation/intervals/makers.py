@@ -27,7 +27,7 @@ from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
 from validation.catalogue.torque import CASES, GRADES, scene_at
 from validation.measured import run as measured
-from validation.measured.fag import fag_torque
+from validation.measured.makers import fag_torque
 from validation.study import Out, Row, figure, numbers, run, save, show, write
 
 HERE = Path(__file__).parent

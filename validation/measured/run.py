@@ -25,8 +25,7 @@ from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Array, RollingFormula, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from validation.measured.anchor import Anchor, first_what_is_missed
-from validation.measured.anchors_page import anchors_page, draw_anchors, write_anchors
+from validation.measured.anchor import Anchor, anchor, anchors_page, draw_anchors, write_anchors
 from validation.measured.makers import sliding_page
 from validation.measured.others import measured_resistances, others
 from validation.measured.page import draw, rig_page
@@ -113,7 +112,7 @@ class Rig:
 
 def main(out: Out = HERE) -> None:
     rigs = [compare(diameter) for diameter in RIGS]
-    anchors = first_what_is_missed([*map(spin_down_anchor, rigs), *others()])
+    anchors = sorted([*map(spin_down_anchor, rigs), *others()], key=lambda each: each.place)
     write_points(rigs, out / "measured.csv")
     draw(rigs, out / "measured.png")
     write_anchors(anchors, out / "anchors.csv")
@@ -125,16 +124,9 @@ def main(out: Out = HERE) -> None:
 
 def spin_down_anchor(rig: Rig) -> Anchor:
     """The comparison as one line among the others."""
-    return Anchor(
-        what=f"torque of three balls of {1e3 * rig.ball_diameter:g} mm between thrust races, {RPM[0]} to {RPM[-1]} rpm",
-        source="spin-downs [Balan2015]",
-        kind="measured",
-        theirs=1e6 * rig.measured,
-        ours=1e6 * rig.computed,
-        unit="uN m",
-        uncertainty=1e6 * rig.validation,
-        worth="tests the resistance to rolling in oil at light loads; sliding hardly counts there",
-    )
+    theirs, ours, uncertainty = (1e6 * each for each in (rig.measured, rig.computed, rig.validation))
+    words = {"ball": 1e3 * rig.ball_diameter, "first": RPM[0], "last": RPM[-1]}
+    return anchor("spin_down", theirs=theirs, ours=ours, uncertainty=uncertainty, **words)
 
 
 def spin_downs(diameter: float) -> Array:
