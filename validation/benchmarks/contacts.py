@@ -1,4 +1,4 @@
-"""Errors of the finite elements against exact Hertz on the Hertzian idealisation: python validation/benchmarks/contacts.py
+"""Finite elements against exact Hertz on the Hertzian idealisation: python validation/benchmarks/contacts.py
 
 Both races of the 6205 at four loads. Seconds depend on the machine.
 """

@@ -16,10 +16,9 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import numpy as np
-import typer
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import ScalarFormatter
@@ -30,7 +29,7 @@ from analytic.makers import scene_band
 from analytic.scene import Scene
 from analytic.scenefile.read import scene_of
 from analytic.torque import friction_torque
-from validation.study import Row, continued, figure, out, read, run, save, show, write
+from validation.study import Out, Row, continued, figure, out, read, run, save, show, write
 
 HERE = Path(__file__).parent
 GRADES = ("printed", "A", "B")
@@ -238,7 +237,7 @@ def _draw_coefficients(axes: Axes, rows: Sequence[Row]) -> None:
     axes.set_ylim(bottom=0)
 
 
-def main(folder: Annotated[Path, typer.Option("--out", help="Folder of the results.")] = HERE) -> None:
+def main(folder: Out = HERE) -> None:
     path, columns = folder / "catalogue_torque.csv", ("designation", "case", *COMPUTED[2:], *KNOWN, *BAND)
     names = [name for name in bearing_names() if find_bearing(name).grade in GRADES]
     tasks = {(name, case): (name, case) for case in reversed(CASES) for name in names}

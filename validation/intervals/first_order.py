@@ -20,7 +20,7 @@ from analytic.prediction.first_order import first_order_ends
 from analytic.prediction.prediction import predict
 from analytic.torque import friction_torque
 from validation.benchmarks.random_scenes import random_scene
-from validation.study import Row, numbers, out, run, show, write
+from validation.study import Out, Row, numbers, out, run, show, write
 
 HERE = Path(__file__).parent
 CLOSE = 0.1  # of an end
@@ -73,7 +73,7 @@ def main(
     scenes: Annotated[int, typer.Option(help="Number of random scenes.")] = 25,
     samples: Annotated[int, typer.Option(help="Samples of each.")] = 1024,
     seed: Annotated[int, typer.Option(help="Of the first scene.")] = 900,
-    folder: Annotated[Path, typer.Option("--out", help="Folder of first_order.csv.")] = HERE,
+    folder: Out = HERE,
 ) -> None:
     rows = []
     for number in range(seed, seed + scenes):

@@ -31,7 +31,7 @@ from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_on_level
 from fembearing.grid_convergence import UNSTEADY, observed_order
 from fembearing.mesh.recipe import load_recipe
-from validation.study import Row, continued, numbers, out, run, show
+from validation.study import Out, Row, continued, numbers, out, run, show
 
 HERE = Path(__file__).parent
 RECIPE = load_recipe("race")
@@ -59,7 +59,7 @@ ORDERS = (2.5, 5.0)  # least and greatest order with which plain levels are extr
 def main(
     contacts: Annotated[int, typer.Option(help="Number of contacts.")] = 240,
     seed: Annotated[int, typer.Option(help="First seed.")] = 50060,
-    folder: Annotated[Path, typer.Option("--out", help="Folder of the table.")] = HERE,
+    folder: Out = HERE,
 ) -> None:
     seeds = {(str(each),): each for each in range(seed, seed + contacts)}
     report(continued(folder / "twin_coverage.csv", COLUMNS, seeds, lambda each: [compared(each)]))

@@ -26,7 +26,7 @@ from analytic import friction_torque
 from analytic.catalog.bearing_rows import find_bearing
 from analytic.errors import FembearingError
 from analytic.scenefile.read import parse_scene
-from validation.study import Row, markdown, numbers, out, progress, run, write
+from validation.study import Out, Row, markdown, numbers, out, progress, run, write
 
 HERE = Path(__file__).parent
 GROUPS = {
@@ -96,7 +96,7 @@ def groups(rows: list[Row]) -> Iterator[tuple[object, ...]]:
 def main(
     scenes: Annotated[int, typer.Option(min=1, help="Scenes to draw.")] = 300,
     seed: Annotated[int, typer.Option(help="Of the first scene.")] = 50000,
-    folder: Annotated[Path, typer.Option("--out", help="Folder for kinematics.csv.")] = HERE,
+    folder: Out = HERE,
 ) -> None:
     """Compare both, and print the table."""
     drawn_row(seed)  # compiles
