@@ -19,8 +19,8 @@ from rich.table import Table
 
 Row = dict[str, str]
 Task = TypeVar("Task")
-PUBLISHED = Path(__file__).parent / "published"
-SCENES = Path(__file__).parent / "scenes"
+HERE = Path(__file__).resolve().parent
+ROOT, PUBLISHED, SCENES = HERE.parent, HERE / "published", HERE / "scenes"
 Out = Annotated[Path, typer.Option("--out", help="Folder of the results.")]
 Jobs = Annotated[int, typer.Option(min=1, help="Processes.")]
 out = Console(width=130, highlight=False, markup=False)

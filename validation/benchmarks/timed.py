@@ -70,7 +70,7 @@ def solve(load=620.0, **options):
 def series(loads):
     from fembearing import solve_load_series
 
-    return solve_load_series(dry, pair="inner", loads=loads).law.exponent
+    return solve_load_series(dry, pair="inner", loads=loads).meshes
 
 
 def sweep(points, workers):

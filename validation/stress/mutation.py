@@ -25,8 +25,8 @@ from queue import SimpleQueue
 import numpy as np
 
 from analytic.numerics.machine_code import CACHE
+from validation.study import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 PACKAGES = ("analytic", "fembearing")
 LEFT_OUT = shutil.ignore_patterns(".git", ".venv*", ".*_cache", "__pycache__", "build", "dist", "*.egg-info")
 DRAWING = ("fembearing/report/figures", "fembearing/report/pictures")
@@ -158,8 +158,8 @@ def of_text(node: ast.BinOp) -> bool:
 class Tree:
     """A copy of the tree, in which one mutant at a time is tested."""
 
-    def __init__(self, folder: Path, cache: Path, before: Sequence[str]) -> None:
-        self.root, self.cache, self.before = folder, cache, before
+    def __init__(self, folder: Path, cache: Path) -> None:
+        self.root, self.cache = folder, cache
         shutil.copytree(ROOT, self.root, ignore=LEFT_OUT, symlinks=True)
 
     def test(self, mutant: Mutant) -> Outcome:
@@ -179,7 +179,7 @@ class Tree:
         own = {"PYTHONPATH": str(self.root), "CI": "true", "OMP_NUM_THREADS": "1", CACHE: str(self.cache)}
         start = time.monotonic()
         done = subprocess.run(
-            [*self.before, *limits, *pytest], cwd=self.root, env=os.environ | own, stdin=subprocess.DEVNULL,
+            [*limits, *pytest], cwd=self.root, env=os.environ | own, stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False,
         )  # fmt: skip
         seconds = time.monotonic() - start
@@ -206,12 +206,12 @@ def tests_of(root: Path, module: str) -> list[str]:
     return [file.relative_to(root).as_posix() for file in files]
 
 
-def outcomes(chosen: Sequence[Mutant], *, jobs: int, before: Sequence[str] = ()) -> Generator[Outcome]:
+def outcomes(chosen: Sequence[Mutant], *, jobs: int) -> Generator[Outcome]:
     """The outcome of each mutant; at last, as an error, the tests that also fail without one."""
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(jobs) as pool:
         trees: SimpleQueue[Tree] = SimpleQueue()
         for number in range(jobs):
-            trees.put(Tree(Path(folder) / str(number), Path(folder) / "formulas", before))
+            trees.put(Tree(Path(folder) / str(number), Path(folder) / "formulas"))
 
         def test(mutant: Mutant) -> Outcome:
             tree = trees.get()
