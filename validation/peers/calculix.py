@@ -6,19 +6,19 @@ are written in mm, stresses in MPa.
 """
 
 import os
+import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterable, Iterator
+from itertools import product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from validation.peers.peer import SkippedError, Solve, peak_pressure, semi_axis, serve
+import numpy as np
+from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    from validation.peers.idealised import Quarter
+from validation.peers.idealised import Quarter, quarter
+from validation.peers.peer import peak_pressure, semi_axis
 
 # Contact acts along the normal of the paraboloid, which is inclined by 2 % at the edge; Hertz neglects this. Flattening
 # the paraboloid by this factor and stiffening the steel by its inverse leaves pressure and ellipse unchanged.
@@ -26,66 +26,55 @@ FLATTENING = 1e-3
 PENALTY = 1e4  # times the modulus over the minor semi-axis; 1e3 changes the second digit of the finest errors
 MM = 1e3  # in a metre
 PROGRAM = "ccx"
+if shutil.which(PROGRAM) is None:
+    raise ImportError(f"{PROGRAM} is not installed")
 
 
-def load() -> Solve:
-    import shutil
-
-    if shutil.which(PROGRAM) is None:
-        raise SkippedError(f"{PROGRAM} is not installed")
-    import numpy as np
-
-    from validation.peers.idealised import quarter
-
-    def solve(case: dict[str, Any], level: int) -> dict[str, Any]:
-        block = quarter(case, level)
-        chosen = block.contact_faces()
-        used, faces = np.unique([nodes for _, _, nodes in chosen], return_inverse=True)
-        faces = faces.reshape(-1, 8)
-        x, y = block.position[used, :2].T
-        modulus = case["youngs_modulus"] / (1 - case["poisson_ratio"] ** 2)
-        overlap = 0.6 * case["load"] / (modulus * np.sqrt(np.prod(case["semi_axes"])))  # m, to start in contact
-        height = (case["curvature_x"] * x**2 + case["curvature_y"] * y**2) / 4 - overlap
-        with tempfile.TemporaryDirectory() as folder:
-            job = Path(folder) / "job"
-            supports = [(cell, face) for cell, face, _ in chosen]
-            lines = deck(case, block, supports=supports, faces=faces, paraboloid=np.column_stack([x, y, height]))
-            job.with_suffix(".inp").write_text("\n".join(lines) + "\n", "ascii")
-            threads = os.environ.get("OMP_NUM_THREADS", str(os.cpu_count()))
-            environment = os.environ | {"OMP_NUM_THREADS": threads}
-            done = subprocess.run([PROGRAM, "job"], cwd=folder, env=environment, capture_output=True, text=True)
-            printed = job.with_suffix(".dat").read_text("ascii") if job.with_suffix(".dat").exists() else ""
-        if done.returncode or "forces" not in printed:
-            raise RuntimeError(f"{PROGRAM} ended with status {done.returncode}: {(done.stdout + done.stderr)[-500:]}")
-        force = table(printed, "forces")[:, 3]  # N, nodal forces: integrals of pressure times shape function
-        axes = semi_axis(x, force), semi_axis(y, force)
-        points_x, points_y, area, pressure = at_gauss_points(x, y, faces, force)
-        sunk = table(printed, "displacements")[0, 3] / (MM * FLATTENING)
-        return {
-            "semi_axis_x": axes[0],
-            "semi_axis_y": axes[1],
-            "peak_pressure": peak_pressure(points_x, points_y, pressure, area, semi_axes=axes),
-            "approach": float(2 * (overlap - sunk)),
-            "unknowns": 3 * len(block.position) - sum(map(len, held(block))) - 3 * int(block.far.sum()),
-        }
-
-    return solve
+def solve(case: dict[str, Any], level: int) -> dict[str, Any]:
+    block = quarter(case, level)
+    chosen = block.contact_faces()
+    used, faces = np.unique([nodes for _, _, nodes in chosen], return_inverse=True)
+    faces = faces.reshape(-1, 8)
+    x, y = block.position[used, :2].T
+    modulus = case["youngs_modulus"] / (1 - case["poisson_ratio"] ** 2)
+    overlap = 0.6 * case["load"] / (modulus * np.sqrt(np.prod(case["semi_axes"])))  # m, to start in contact
+    height = (case["curvature_x"] * x**2 + case["curvature_y"] * y**2) / 4 - overlap
+    with tempfile.TemporaryDirectory() as folder:
+        job = Path(folder) / "job"
+        supports = [(cell, face) for cell, face, _ in chosen]
+        lines = deck(case, block, supports=supports, faces=faces, paraboloid=np.column_stack([x, y, height]))
+        job.with_suffix(".inp").write_text("\n".join(lines) + "\n", "ascii")
+        threads = os.environ.get("OMP_NUM_THREADS", str(os.cpu_count()))
+        environment = os.environ | {"OMP_NUM_THREADS": threads}
+        done = subprocess.run([PROGRAM, "job"], cwd=folder, env=environment, capture_output=True, text=True)
+        printed = job.with_suffix(".dat").read_text("ascii") if job.with_suffix(".dat").exists() else ""
+    if done.returncode or "forces" not in printed:
+        raise RuntimeError(f"{PROGRAM} ended with status {done.returncode}: {(done.stdout + done.stderr)[-500:]}")
+    force = table(printed, "forces")[:, 3]  # N, nodal forces: integrals of pressure times shape function
+    axes = semi_axis(x, force), semi_axis(y, force)
+    points_x, points_y, area, pressure = at_gauss_points(x, y, faces, force)
+    sunk = table(printed, "displacements")[0, 3] / (MM * FLATTENING)
+    return {
+        "semi_axis_x": axes[0],
+        "semi_axis_y": axes[1],
+        "peak_pressure": peak_pressure(points_x, points_y, pressure, area, semi_axes=axes),
+        "approach": float(2 * (overlap - sunk)),
+        "unknowns": 3 * len(block.position) - sum(map(len, held(block))) - 3 * int(block.far.sum()),
+    }
 
 
 def deck(
     case: dict[str, Any],
-    block: "Quarter",
+    block: Quarter,
     *,
     supports: list[tuple[int, int]],
-    faces: "NDArray[np.intp]",
-    paraboloid: "NDArray[np.float64]",
+    faces: NDArray[np.intp],
+    paraboloid: NDArray[np.float64],
 ) -> Iterator[str]:
     """The lines of the input file.
 
     supports : cells and faces of the block that may touch;  faces : their 8 nodes on the paraboloid
     """
-    import numpy as np
-
     position, count = block.position, len(block.position)
     minor = min(case["semi_axes"]) * MM
     modulus = case["youngs_modulus"] / 1e6 / FLATTENING
@@ -137,10 +126,8 @@ def deck(
     yield "*NODE PRINT,NSET=LEAD\nU\n*NODE PRINT,NSET=PARABOLOID\nRF\n*END STEP"
 
 
-def held(block: "Quarter") -> tuple["NDArray[np.intp]", "NDArray[np.intp]"]:
+def held(block: Quarter) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """Nodes that symmetry holds in x and in y, without those of the outer faces."""
-    import numpy as np
-
     small = 1e-9 * block.position.max()
     x, y = (np.flatnonzero((block.position[:, axis] < small) & ~block.far) for axis in (0, 1))
     return x, y
@@ -153,52 +140,43 @@ def rows(numbers: Iterable[int], width: int) -> Iterator[str]:
     yield ",\n".join(lines)
 
 
-def right_handed(corners: "NDArray[np.float64]") -> bool:
+def right_handed(corners: NDArray[np.float64]) -> bool:
     """Whether four corners run anticlockwise as seen from above."""
-    import numpy as np
-
     x, y = corners[:, 0], corners[:, 1]
     return float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) > 0
 
 
-def table(printed: str, head: str) -> "NDArray[np.float64]":
+def table(printed: str, head: str) -> NDArray[np.float64]:
     """The last table of a .dat file whose title starts with `head`."""
-    import numpy as np
-
     body = printed[printed.rindex(f" {head} (") :].split("\n\n")[1]
     return np.array([[float(word) for word in line.split()] for line in body.splitlines()])
 
 
 def at_gauss_points(
-    x: "NDArray[np.float64]", y: "NDArray[np.float64]", faces: "NDArray[np.intp]", force: "NDArray[np.float64]"
-) -> tuple["NDArray[np.float64]", ...]:
+    x: NDArray[np.float64], y: NDArray[np.float64], faces: NDArray[np.intp], force: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], ...]:
     """x, y, area and pressure at 2 by 2 Gauss points of each face, of the field whose integrals are the nodal forces.
 
     Away from these points a field on 8-node faces oscillates: at its nodes the peak pressure is 1 to 8 % too high.
     """
-    import numpy as np
-
     mass = np.zeros((x.size, x.size))
-    for s, weight_s in zip(*np.polynomial.legendre.leggauss(3), strict=True):
-        for t, weight_t in zip(*np.polynomial.legendre.leggauss(3), strict=True):
-            shape, area = on_face(x, y, faces, s, t)
-            for face, each in zip(faces, area, strict=True):
-                mass[np.ix_(face, face)] += weight_s * weight_t * each * np.outer(shape, shape)
+    nodes = list(zip(*np.polynomial.legendre.leggauss(3), strict=True))
+    for (s, weight_s), (t, weight_t) in product(nodes, repeat=2):
+        shape, area = on_face(x, y, faces, s, t)
+        for face, each in zip(faces, area, strict=True):
+            mass[np.ix_(face, face)] += weight_s * weight_t * each * np.outer(shape, shape)
     pressure = np.linalg.solve(mass, -force)  # the printed force holds the paraboloid down, the surface pushes it up
     parts = []
-    for s in (-(3**-0.5), 3**-0.5):
-        for t in (-(3**-0.5), 3**-0.5):
-            shape, area = on_face(x, y, faces, s, t)
-            parts.append((x[faces] @ shape, y[faces] @ shape, area, pressure[faces] @ shape))
+    for s, t in product((-(3**-0.5), 3**-0.5), repeat=2):
+        shape, area = on_face(x, y, faces, s, t)
+        parts.append((x[faces] @ shape, y[faces] @ shape, area, pressure[faces] @ shape))
     return tuple(np.concatenate(part) for part in zip(*parts, strict=True))
 
 
 def on_face(
-    x: "NDArray[np.float64]", y: "NDArray[np.float64]", faces: "NDArray[np.intp]", s: float, t: float
-) -> tuple["NDArray[np.float64]", "NDArray[np.float64]"]:
+    x: NDArray[np.float64], y: NDArray[np.float64], faces: NDArray[np.intp], s: float, t: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Shape functions (8,) of an 8-node face at (s, t) and the area per unit square (faces,) there."""
-    import numpy as np
-
     S, T = np.array([-1, 1, 1, -1]), np.array([-1, -1, 1, 1])
     linear_s, linear_t = 1 + s * S, 1 + t * T
     shape = [*(linear_s * linear_t * (s * S + t * T - 1) / 4)]
@@ -212,7 +190,3 @@ def on_face(
     by_t = [*(T * linear_s * (s * S + 2 * t * T) / 4), (s * s - 1) / 2, -t * (1 + s), (1 - s * s) / 2, -t * (1 - s)]
     corner = x[faces] @ np.array(by_s), y[faces] @ np.array(by_t), x[faces] @ np.array(by_t), y[faces] @ np.array(by_s)
     return np.array(shape), np.abs(corner[0] * corner[1] - corner[2] * corner[3])
-
-
-if __name__ == "__main__":
-    serve(load)
