@@ -1,24 +1,64 @@
 """Makers' formulas part by part: SKF's rolling and sliding, and FAG's whole torque, of seven deep groove bearings."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
-from analytic.catalog.bearing_rows import find_bearing
+from analytic.catalog.bearing_rows import CatalogBearing, find_bearing
 from analytic.errors import InputError
 from analytic.makers import ANGULAR_SERIES, CatalogueCase, case_of, skf_parts
 from analytic.oil.rolling import per_minute, ring_diameters, square_millimetres
 from analytic.scene import Array, Scene
+from analytic.scenefile.read import SEATED, scene_of
 from analytic.torque import friction_torque
-from validation.catalogue.torque import scene_at
 from validation.measured.anchor import Anchor, anchor
 from validation.study import markdown, published
 
 BEARINGS = ("6004", "6204", "6205", "6208", "6212", "6305", "6310")
 LOADS = {"radial": "0.05 C radial", "axial": "0.02 C0 axial"}
 SKF_FILM = 0.05  # SKF's coefficient of a full film of mineral oil
+GRADES = ("printed", "A", "B")  # of the balls in the catalogue
+RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C, of C0
+DOWN = {"radial": [1, 0, 0], "axial": [0, 0, 1]}  # the shaft lies, or it stands
 LEAST_STIRRED = 2000.0  # nu n, mm2/s 1/min: below, FAG's M_0 has another form
+
+
+def loads_of(bearing: CatalogBearing, case: str) -> tuple[float, float, float]:
+    """(radial, axial) load, N, and moment about the bearing's middle, N m.
+
+    An angular contact bearing under a radial load alone slides apart, so it also carries the thrust from which all its
+    balls are loaded. Its radial load acts at its load centre, where the lines of contact meet the axis; anywhere else a
+    single bearing tilts, until balls run on a shoulder.
+    """
+    if case == "axial":
+        return 0.0, AXIAL_SHARE * bearing.static_load_rating, 0.0
+    radial = RADIAL_SHARE * bearing.dynamic_load_rating
+    slope = 0.0 if bearing.nominal_angle is None else math.tan(bearing.nominal_angle)
+    return radial, SEATED * radial * slope, -radial * slope * bearing.pitch_diameter / 2
+
+
+def scene_at(bearing: CatalogBearing, case: str) -> Scene:
+    """One bearing under one load at 1000 rpm in ISO VG 68 of 60 degC, with ground and honed races and free balls."""
+    radial, axial, moment = loads_of(bearing, case)
+    document: dict[str, Any] = {
+        "name": f"{bearing.designation}, {case}",
+        "tolerance": "5 %",
+        "bearing": {"catalog": bearing.designation},
+        "operation": {
+            "radial_load": f"{radial!r} N",
+            "axial_load": f"{axial!r} N",
+            "moment": f"{moment!r} N m",
+            "inner_speed": "1000 rpm",
+            "down": DOWN[case],
+        },
+        "lubricant": {"name": "ISO VG 68", "temperature": "60 degC"},
+        "surface": {"finish": "ground and honed"},
+        "friction": {"hysteresis_loss": 0.007, "spin_rule": "free"},
+    }
+    return scene_of(document, origin=bearing.designation)
 
 
 def fag_torque(case: CatalogueCase) -> tuple[Array, Array]:
