@@ -1,8 +1,10 @@
 """Peer: NGSolve, quadratic hexahedra pressed on a rigid paraboloid. The refinement is the level of our mesh recipe.
 
-By symmetry, each of two equal half spaces is pressed against a rigid paraboloid with half the gap. The pressure is a
-penalty times the penetration; the set of penetrating points is updated until it carries the load. `sparsecholesky` was
-the fastest direct solver of NGSolve: UMFPACK took five times as long with 20 000 unknowns.
+Mesh and far field are ours, so that only the solver differs: a block without a far field, cut off at thirty contact
+radii, has an error of 1 % of the approach. By symmetry, each of two equal half spaces is pressed against a rigid
+paraboloid with half the gap. The pressure is a penalty times the penetration; the set of penetrating points is updated
+until it carries the load. `sparsecholesky` was the fastest direct solver of NGSolve: UMFPACK took five times as long
+with 20 000 unknowns.
 """
 
 from typing import Any
@@ -10,20 +12,24 @@ from typing import Any
 import netgen.meshing as netgen  # pyright: ignore[reportMissingImports]
 import ngsolve as ng  # pyright: ignore[reportMissingImports]
 import numpy as np
+from skfem import Basis, ElementHex2
 
-from validation.peers.idealised import FACES, Quarter, quarter
+from fembearing.mesh.pair import pair_mesh
+from fembearing.mesh.recipe import load_recipe
+from validation.peers.ours import idealised_contact
 from validation.peers.peer import peak_pressure
 
 PENALTY = 1e5  # times E over the minor semi-axis: the paraboloid sinks in by 1e-5 of the approach
 MOST_ROUNDS = 40
 BALANCED = 1e-9  # of the load
 NAMES = ("x", "y", "far", "contact", "free")  # of the outer faces
+CORNERS = ((0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0), (0, 0, 1), (0, 1, 1), (1, 1, 1), (1, 0, 1))  # right-handed here
+FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))  # by corners
 ng.ngsglobals.msg_level = 0
 
 
 def solve(case: dict[str, Any], level: int) -> dict[str, Any]:
-    block = quarter(case, level)
-    mesh = meshed(block)
+    mesh = meshed(case, level)
     modulus, ratio = case["youngs_modulus"], case["poisson_ratio"]
     lam, mu = modulus * ratio / ((1 + ratio) * (1 - 2 * ratio)), modulus / (2 * (1 + ratio))
     a, b = case["semi_axes"]
@@ -81,11 +87,15 @@ def solve(case: dict[str, Any], level: int) -> dict[str, Any]:
     }
 
 
-def meshed(block: Quarter) -> ng.Mesh:
-    """The cells of the block with straight edges and named outer faces."""
-    used, cells = np.unique(block.cells[:, :8], return_inverse=True)
-    cells = cells.reshape(-1, 8)
-    position = block.position[used]
+def meshed(case: dict[str, Any], level: int) -> ng.Mesh:
+    """The quarter x > 0, y > 0 of our lower half space, z < 0, with straight edges and named outer faces."""
+    recipe, axes = load_recipe("hertzian"), tuple(case["semi_axes"])
+    body = pair_mesh(idealised_contact(case), recipe=recipe, level=level, semi_axes=axes).lower
+    basis = Basis(body.mesh, ElementHex2(), intorder=1)
+    corners = [ElementHex2().doflocs.tolist().index(list(each)) for each in CORNERS]
+    used, cells = np.unique(basis.element_dofs[corners].T, return_inverse=True)
+    cells, position = cells.reshape(-1, 8), body.mesh.doflocs[:, used].T
+    top, touching, far = (np.isin(used, nodes) for nodes in (body.surface, body.touching, body.far))
     mesh = netgen.Mesh(dim=3)
     points = [mesh.Add(netgen.MeshPoint(netgen.Pnt(*place))) for place in position.tolist()]
     for number, name in enumerate(NAMES):
@@ -93,10 +103,10 @@ def meshed(block: Quarter) -> ng.Mesh:
         mesh.SetBCName(number, name)
     faces = cells[:, FACES].reshape(-1, 4)
     _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
-    planes = (position[:, 0] < 1e-9 * position.max(), position[:, 1] < 1e-9 * position.max(), block.far[used])
+    planes = (position[:, 0] < 1e-9 * position.max(), position[:, 1] < 1e-9 * position.max(), far)
     for face in faces[first[count == 1]]:
-        if block.top[used[face]].all():
-            name = "contact" if block.touching[used[face]].any() else "free"
+        if top[face].all():
+            name = "contact" if touching[face].any() else "free"
         else:
             name = NAMES[next(number for number, plane in enumerate(planes) if plane[face].all())]
         mesh.Add(netgen.Element2D(NAMES.index(name) + 1, [points[node] for node in face]))
