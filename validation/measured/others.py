@@ -11,16 +11,14 @@ from analytic.loads.kinematics import ruled_motion
 from analytic.loads.numbers import bearing_numbers
 from analytic.loads.race_contacts import contact_under
 from analytic.loads.thrust import thrust_equilibrium
-from analytic.makers import scene_band
+from analytic.makers import case_of, scene_band, skf_parts
 from analytic.oil.rolling import (
     OILED_FRICTION,
+    THRUST,
     hysteresis_moment,
-    inlet_shear_factor,
-    per_minute,
+    replenishment_factor,
     slow_rolling_moment,
-    square_millimetres,
 )
-from analytic.oil.viscosity import oil_numbers
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
@@ -31,14 +29,11 @@ from validation.measured.bearings import whole_bearings
 from validation.measured.makers import makers_parts
 from validation.study import SCENES, published
 
-# SKF's constants of all thrust ball bearings, in the Russian text of its catalogue of 2016; mm, N, N mm
-SKF_THRUST = (1.03e-6, 0.016)  # R_1, S_1
 # Base oil and surface tension, N/m, of the two measured greases
 GREASES = (
     (["102.8 cSt at 40 degC", "10.3 cSt at 100 degC"], 0.0171),
     (["474.5 cSt at 40 degC", "31.4 cSt at 100 degC"], 0.0276),
 )
-SKF_BOUNDARY, SKF_FILM = 0.12, 0.05  # mu_bl, mu_EHL [SKF2018]
 HERE = Path(__file__).parent
 
 
@@ -76,23 +71,12 @@ def _catalogues() -> Iterator[Anchor]:
 
 
 def skf_thrust_torque(scene: Scene) -> Array:
-    """M_rr + M_sl of a thrust ball bearing, N m, without starvation.
-
-    G_rr = R_1 d_m^1.83 F_a^0.54, M_rr = phi_ish G_rr (nu n)^0.6;  G_sl = S_1 d_m^0.05 F_a^(4/3), M_sl = G_sl mu,
-    mu = phi_bl mu_bl + (1 - phi_bl) mu_EHL, phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m);  d_m = (d + D)/2, mm, N, 1/min, mm2/s
-    """
-    bearing, oil, operation = scene.bearing, scene.lubricant, scene.operation.as_series()
-    assert bearing.bore_diameter is not None
-    assert bearing.outside_diameter is not None
-    mean = (bearing.bore_diameter + bearing.outside_diameter) / 2
-    kinematic = oil_numbers(oil).viscosity / oil.density
-    moved = per_minute(operation.inner_speed) * square_millimetres(kinematic)
-    heated = inlet_shear_factor(mean_diameter=mean, ring_speed=operation.inner_speed, kinematic_viscosity=kinematic)
-    rolling = heated * SKF_THRUST[0] * (1e3 * mean) ** 1.83 * operation.axial_load**0.54 * moved**0.6
-    boundary = np.exp(-2.6e-8 * moved**1.4 * 1e3 * mean)
-    friction = boundary * SKF_BOUNDARY + (1 - boundary) * SKF_FILM
-    sliding = SKF_THRUST[1] * (1e3 * mean) ** 0.05 * operation.axial_load ** (4 / 3)
-    return (rolling + sliding * friction) / 1e3
+    """SKF's torque of a thrust ball bearing, N m, without starvation."""
+    case = case_of(scene)
+    rolling, sliding = skf_parts(case, lubrication="oil_bath")
+    known = ("bore_diameter", "outside_diameter", "ring_speed", "kinematic_viscosity")
+    left = replenishment_factor(**{name: getattr(case, name) for name in known}, supply="oil_bath", geometry=THRUST)
+    return rolling / left + sliding
 
 
 def _rolling_formulas() -> Iterator[Anchor]:
