@@ -80,7 +80,7 @@ def extreme_scene(rng: np.random.Generator) -> str:
 def base(rng: np.random.Generator) -> dict[str, Any]:
     kind = rng.integers(3)
     if kind == 0:
-        return tomllib.loads(radial_scene(rng.random(RADIAL_INPUTS), tolerance=TOLERANCE))
+        return radial_scene(rng.random(RADIAL_INPUTS).tolist(), tolerance=TOLERANCE)
     if kind == 1:
         names = bearing_names()
         return tomllib.loads(template(names[rng.integers(len(names))]))
