@@ -35,45 +35,7 @@ HEIGHT = 900
 PATIENCE = 120  # s, time limit of one browser run
 # The outer page opens one page after the other in a frame, which may be narrower than the least window of the browser.
 # Each page ends with the probe, which sends what it sees; the outer page writes all where --dump-dom shows it.
-FRAME = """<!DOCTYPE html><body style="margin: 0">
-<iframe style="border: 0; width: {width}px; height: {height}px"></iframe>
-<script>
-const pages = {pages}, seen = [], frame = document.querySelector("iframe");
-const next = () => {{ frame.src = pages[seen.length]; }};
-addEventListener("message", (event) => {{
-  seen.push(JSON.parse(event.data));
-  if (seen.length < pages.length) return next();
-  const note = document.createElement("pre");
-  note.id = "probe";
-  note.textContent = JSON.stringify(seen);
-  document.body.append(note);
-}});
-next();
-</script></body>"""
-PROBE = """<script>
-addEventListener("load", async () => {
-  const root = document.documentElement, images = [...document.images];
-  const beyond = [...document.querySelectorAll("body *")].filter((part) =>
-    !part.parentElement.closest(".wide") && part.getBoundingClientRect().right > root.clientWidth + 1);
-  const scrolling = [...document.querySelectorAll(".wide")].filter((part) => part.scrollWidth > part.clientWidth + 1);
-  const result = {
-    width: root.clientWidth,
-    scroll: root.scrollWidth,
-    beyond: beyond.slice(0, 5).map((part) => part.outerHTML.slice(0, 80)),
-    scrolling: scrolling.map((part) => part.textContent.trim().slice(0, 60)),
-    broken: images.filter((image) => !image.naturalWidth).map((image) => image.alt || image.src.slice(0, 80)),
-    silent: images.filter((image) => !image.alt.trim()).map((image) => image.src.slice(0, 80)),
-    fetched: performance.getEntriesByType("resource").map((entry) => entry.name).filter((name) => !/^data:/.test(name)),
-    barriers: [],
-  };
-  if (window.axe) {
-    const found = (await axe.run(document, { iframes: false })).violations;
-    const serious = found.filter((each) => ["serious", "critical"].includes(each.impact));
-    result.barriers = serious.map((each) => `${each.help}: ${each.nodes[0].html.slice(0, 80)}`);
-  }
-  parent.postMessage(JSON.stringify(result), "*");
-});
-</script>"""
+FRAME, PROBE = (Path(__file__).with_name(name).read_text("utf-8") for name in ("site_frame.html", "site_probe.js"))
 ADDRESS = re.compile(
     r"""(?:src|href|action|data|poster)\s*=\s*["'](?!data:|#)([^"']+)|url\(\s*["']?(?!data:|#)([^)"']+)"""
 )
@@ -93,7 +55,7 @@ def main() -> None:
     pages = [Path(given.name)] if is_report else [page.relative_to(given) for page in written_pages(given, "*.html")]
     if not pages:
         leave(f"{given} has no page; build it first", 2)
-    script = f"<script>{read_script(options.axe)}</script>{PROBE}</body>"
+    script = f"<script>{read_script(options.axe)}</script><script>{PROBE}</script></body>"
     out, faults = Console(highlight=False, markup=False, soft_wrap=True), []
     with tempfile.TemporaryDirectory() as folder:
         site = Path(folder) / "site"
@@ -156,7 +118,8 @@ def written_pages(site: Path, pattern: str) -> list[Path]:
 def look(browser: str, site: Path, pages: list[str], width: int, *, is_report: bool) -> Iterator[str]:
     """Open all pages in a frame of this width; gives what is wrong with them."""
     frame = site / "frame.html"
-    frame.write_text(FRAME.format(width=width, height=HEIGHT, pages=json.dumps(pages)), "utf-8")
+    sized = FRAME.replace("WIDTH", str(width)).replace("HEIGHT", str(HEIGHT))
+    frame.write_text(sized.replace("PAGES", json.dumps(pages)), "utf-8")
     patience = f"--virtual-time-budget={max(5000, 2000 * len(pages))}"  # ms, of which idle ones cost nothing
     window = f"--window-size={max(WIDTHS)},{HEIGHT}"
     done = run_browser(browser, str(site), patience, window, "--dump-dom", frame.as_uri())

@@ -22,7 +22,7 @@ from threading import Timer
 
 import numpy as np
 
-from validation.stress.damage import CYCLE, FEW, MEASURED, damaged_input, place_in
+from validation.stress.damage import CYCLE, FEW, INPUTS, MEASURED, damaged_input, place_in
 from validation.stress.extreme import extreme_scene, numbers
 from validation.stress.watched import LARGEST, SLOWEST, Tried
 from validation.study import ROOT
@@ -41,19 +41,6 @@ DEAF = 600.0  # s of the clock, on a busy machine
 NOT_A_NUMBER = re.compile(r"(?<![\w.-])[-+]?(nan|inf)(?![\w.-])", re.IGNORECASE)
 FOLDER = {"torque.json", "torque.csv", "torque.png"}
 OUTCOMES = {0: "done", 1: "done", 2: "refused", 3: "not solved"}
-MAPPED = """
-name = "mapped"
-tolerance = "5 %"
-[bearing]
-catalog = "paper_6205"
-[operation]
-axial_load = "300 N"
-inner_speed = "250 rpm"
-[lubricant]
-name = "ISO VG 46"
-[surface]
-height_map = { path = "PATH", spacing = "2 um" }
-"""
 READ_MESH = """
 import sys
 from pathlib import Path
@@ -247,7 +234,8 @@ def damaged_through_commands(seeds: Iterable[int], folder: Path, base: float) ->
         given, place = damaged_input(seed, folder), place_in(folder)
         if given.kind == "height map":
             name = next(place.iterdir()).name
-            (place / "scene.toml").write_text(MAPPED.replace("PATH", name), "utf-8")
+            mapped = (INPUTS / "mapped.toml").read_text("utf-8").replace("PATH", name)
+            (place / "scene.toml").write_text(mapped, "utf-8")
         if given.kind == "scene":
             face = list(FACES.values())[seed // len(COMMANDS) % len(FACES)]
             done, fault = _through(face, place, base)

@@ -44,26 +44,10 @@ HEADS = (
 )
 BYTES = (b"\x00", b"\xff\xfe", b"\xef\xbb\xbf", b"\r", b"\n", b"'''", b'"""', *(bytes([each]) for each in b"[]=#{}<>"))
 MESHES = tuple(sorted((ROOT / "meshes" / "reference").glob("*.vtu")))
-GRID = """
-scene = "6205-dry"
-[axes]
-operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" }
-operation.inner_speed = ["100 rpm", "300 rpm"]
-bearing.inner.conformity = [0.51, 0.53]
-friction.spin_rule = ["balanced", "free"]
-"""
-
-CYCLE = """
-duration [s],inner_speed [rpm],axial_load [N]
-4,900,250
-30,2600,410
-7,0,300
-""".lstrip()
-MEASURED = """
-inner_speed [rpm],axial_load [N],torque [N mm],uncertainty [%]
-310,270,33,3
-700,420,52,4
-""".lstrip()
+INPUTS = Path(__file__).parent / "inputs"
+GRID, CYCLE, MEASURED = (
+    (INPUTS / name).read_text("utf-8") for name in ("damaged_grid.toml", "cycle.csv", "measured.csv")
+)
 
 
 def place_in(folder: Path) -> Path:

@@ -6,6 +6,7 @@ missing; and what it was to write is whole or absent.
 
 import os
 import resource
+import shutil
 import tempfile
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass, replace
@@ -16,27 +17,8 @@ from typing import NamedTuple
 
 from analytic.writing import HIDDEN
 from validation.stress.commands import FOLDER, FREE, Limits, fault_of, run
+from validation.stress.damage import INPUTS
 
-SCENE = """
-name = "killed"
-tolerance = "5 %"
-[bearing]
-catalog = "paper_6205"
-[operation]
-axial_load = "300 N"
-inner_speed = ["250 rpm", "700 rpm"]
-[friction]
-coefficient = 0.09
-hysteresis_loss = 0.007
-spin_rule = "balanced"
-"""
-GRID = """
-scene = "scene.toml"
-[axes]
-operation.inner_speed = ["250 rpm", "700 rpm"]
-bearing.inner.conformity = [0.513, 0.517, 0.522]
-operation.axial_load = { from = "120 N", to = "900 N", count = 7, spacing = "log" }
-"""
 UNPRIVILEGED = ("setpriv", "--bounding-set", "-dac_override,-dac_read_search")  # permissions hold for root too
 SLOWEST = 30.0  # s of the processor: where compiled formulas cannot be kept, they are compiled
 COMMANDS = {
@@ -128,7 +110,8 @@ def odd(place: Path, file: str, prepare: Callable[[Path], object]) -> None:
     prepare(path)
     if file == "map.csv":
         table = '[surface]\nheight_map = { path = "map.csv", spacing = "2 um" }\n[lubricant]\nname = "ISO VG 46"\n'
-        (place / "scene.toml").write_text(SCENE.replace("coefficient = 0.09\n", "") + table, "utf-8")
+        scene = (INPUTS / "scene.toml").read_text("utf-8").replace("coefficient = 0.09\n", "")
+        (place / "scene.toml").write_text(scene + table, "utf-8")
 
 
 ODD_FILES: dict[str, Callable[[Path], object]] = {
@@ -157,8 +140,8 @@ def ended(*, every: int = 1) -> Generator[Ended]:
                 place = Path(folder) / "place"
                 place.mkdir()
                 Path(folder).chmod(0o755)
-                (place / "scene.toml").write_text(SCENE, "utf-8")
-                (place / "grid.toml").write_text(GRID, "utf-8")
+                for name in ("scene.toml", "grid.toml"):
+                    shutil.copy(INPUTS / name, place)
                 yield _ended(situation, command, place)
 
 
