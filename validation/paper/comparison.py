@@ -4,8 +4,10 @@ Every reading has a friction torque, in which the cage counts with the power of 
 the balls' centres, which are no loss, are compared with the paper's cage torque beside it.
 """
 
+import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -22,17 +24,11 @@ from validation.paper.cage import COEFFICIENTS, FASTEST, ROUGH, RPM, SLOWEST, SM
 from validation.study import SCENES as FILES
 from validation.study import published as published_rows
 
-SCENES = {  # reading -> file and description
-    "as printed": (
-        "6205_paper_as_printed.toml",
-        "equations 2 to 7 and the pocket of table 1 as in the paper, misprints included; other inputs of the races as "
-        "in the calibrated reading",
-    ),
-    "calibrated": (
-        "6205_paper_calibrated.toml",
-        "inputs missing in the paper, chosen to match its race torque and the numbers of its cage",
-    ),
-    "physical": ("6205_physical.toml", "usual inputs, loaded angle, sinh traction, hydrodynamic rolling, a slow start"),
+WORDS_OF_PAGE = tomllib.loads(Path(__file__).with_name("words.toml").read_text("utf-8"))
+SCENES = {  # reading -> file; words.toml describes it
+    "as printed": "6205_paper_as_printed.toml",
+    "calibrated": "6205_paper_calibrated.toml",
+    "physical": "6205_physical.toml",
 }
 UNITS = {"N mm": 1e-3, "N": 1.0}
 MOMENTS = {"cage_torque": "cage_moments", "total_torque": "total_with_moments"}  # the same with moments, no losses
@@ -66,7 +62,7 @@ def published() -> list[Stored]:
 
 
 def load(name: str) -> Scene:
-    return load_scene(FILES / SCENES[name][0])
+    return load_scene(FILES / SCENES[name])
 
 
 def compare(name: str) -> Stored:
@@ -75,7 +71,7 @@ def compare(name: str) -> Stored:
     found = {roughness: series(name, at_finish(scene, roughness)) for roughness in (ROUGH, SMOOTH)}
     return {
         "name": name,
-        "kind": SCENES[name][1],
+        "kind": WORDS_OF_PAGE["readings"][name],
         "assumed": assumed_inputs(name, scene),
         "series": {f"{roughness:g}": values for roughness, values in found.items()},
         "beside": [row for point in published() for row in beside(point, found[point["rms_roughness"]])],
@@ -203,25 +199,19 @@ def _coefficients() -> str:
 def table_1(scene: Scene) -> list[tuple[str, str, str]]:
     """Table 1 of [Paper]: parameter, its value there, and what the readings make of it."""
     bearing = scene.bearing
-    volume = 4 / 3 * np.pi * bearing.ball_radius**3
-    steel = f"{bearing.ball_material.density * volume * 1e3:.2f} g by volume and density"
-    chord = bearing.pitch_diameter * np.sin(np.pi / bearing.ball_count)
-    return [
-        ("number of balls", "9", f"{bearing.ball_count}"),
-        ("mass of ball", "2.04 g", f"{bearing.ball_mass * 1e3:g} g; {steel}"),
-        ("mass of cage", "6.58 g", f"{scene.cage.mass * 1e3:g} g"),
-        ("contact angle", "0.18 rad", "as printed, calibrated: loaded, at the races; physical: free, 0.302 under load"),
-        ("ball diameter", "7.94 mm", f"{bearing.ball_diameter * 1e3:g} mm"),
-        ("mass of inner race", "38.63 g", "not used: the rings do not move"),
-        ("mass of outer race", "54.21 g", "not used: the rings do not move"),
-        ("radius of inner race", "15.53 mm", f"{bearing.inner.bottom_radius * 1e3:g} mm, at the groove's bottom"),
-        ("radius of outer race", "23.48 mm", f"{bearing.outer.bottom_radius * 1e3:g} mm, at the groove's bottom"),
-        ("groove radius of inner race", "4.13 mm", f"{bearing.inner.groove_radius * 1e3:g} mm"),
-        ("groove radius of outer race", "4.21 mm", f"{bearing.outer.groove_radius * 1e3:g} mm"),
-        ("pocket diameter", "13.9 mm", "as printed: the same, although neighbouring pockets would overlap: their "
-         f"centres are {chord * 1e3:.2f} mm apart; calibrated: 8.04 mm; physical: 8.14 mm"),
-        ("pocket depth", "6.81 mm", "as printed: the same; else half the diameter"),
-    ]  # fmt: skip
+    ours = {
+        "balls": bearing.ball_count,
+        "ball": bearing.ball_mass * 1e3,  # g
+        "steel": bearing.ball_material.density * 4 / 3 * np.pi * bearing.ball_radius**3 * 1e3,  # g, by its volume
+        "cage": scene.cage.mass * 1e3,
+        "diameter": bearing.ball_diameter * 1e3,  # mm
+        "inner": bearing.inner.bottom_radius * 1e3,
+        "outer": bearing.outer.bottom_radius * 1e3,
+        "inner_groove": bearing.inner.groove_radius * 1e3,
+        "outer_groove": bearing.outer.groove_radius * 1e3,
+        "chord": bearing.pitch_diameter * np.sin(np.pi / bearing.ball_count) * 1e3,
+    }
+    return [(name, paper, words.format(**ours)) for name, paper, words in WORDS_OF_PAGE["table_1"]]
 
 
 def printed_jumps(scene: Scene) -> list[Stored]:
