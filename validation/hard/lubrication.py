@@ -15,9 +15,17 @@ from analytic.scene import Lubricant, Reach, Surface
 from analytic.surface.gap import NOT_ELASTIC, SMOOTH_GAP, TRUNCATED, GapNumbers
 from analytic.surface.truncated_gap import truncated_law
 from validation.hard.roughness import CORRELATION, HARDNESS, summits
-from validation.hard.specimens import BEARING, LARGE, LOAD, MODULUS, SMALL, exponent, torque_6205
+from validation.hard.specimens import (
+    BEARING,
+    LARGE,
+    LOAD,
+    MODULUS,
+    SMALL,
+    exponent,
+    torque_6205,
+    with_conformity,
+)
 
-RACES = ("inner", "outer")
 SPEED = 0.37  # m/s, of entrainment
 BOUNDARY_FRICTION = 0.12  # coefficient where asperities touch
 OIL = Lubricant(
@@ -85,19 +93,11 @@ def light_friction(load: float) -> float:
     return force if bool(mixed.capped) else math.nan
 
 
-def thickened(
-    pressure: float, *, pressure_viscosity: float = OIL.pressure_viscosity, temperature: float = 313.0
-) -> float:
-    """Viscosity, Pa s, at a pressure, Pa, and a temperature, K."""
-    viscosity = roelands_viscosity(
-        pressure=pressure,
-        temperature=temperature,
-        viscosity=OIL.viscosity,
-        pressure_viscosity=pressure_viscosity,
-        reference_temperature=OIL.reference_temperature,
-        viscosity_temperature=OIL.viscosity_temperature,
-    )
-    return float(viscosity)
+def thickened(pressure: float, *, alpha: float = OIL.pressure_viscosity, temperature: float = 313.0) -> float:
+    """Viscosity, Pa s, at a pressure, Pa, and a temperature, K; alpha : 1/Pa"""
+    known = {"viscosity": OIL.viscosity, "viscosity_temperature": OIL.viscosity_temperature}
+    known["reference_temperature"] = OIL.reference_temperature
+    return float(roelands_viscosity(pressure=pressure, temperature=temperature, pressure_viscosity=alpha, **known))
 
 
 def shear(speed: float, *, oil: Lubricant = OIL, pressure: float = 0.9e9, film_thickness: float = 0.23e-6) -> float:
@@ -117,12 +117,6 @@ def oiled(
 
     ahead : reach of the oil, in radii of the ball;  degree : of starvation
     """
-    if conformity is None:
-        close = BEARING
-    else:
-        radius = conformity * BEARING.ball_diameter
-        close = replace(BEARING, **{race: replace(getattr(BEARING, race), groove_radius=radius) for race in RACES})
-    oil = replace(OIL, reach=Reach(ahead=ahead), starvation_degree=degree)
     surface = Surface(
         rms_roughness=rms_roughness,
         autocorrelation=CORRELATION,
@@ -130,14 +124,10 @@ def oiled(
         boundary_friction=BOUNDARY_FRICTION,
         gap="truncated",
     )
-    return torque_6205(
-        axial_load=700.0, speed=speed, bearing=close, friction_coefficient=None, lubricant=oil, surface=surface
-    )
-
-
-def warned(torque: FrictionTorque, words: str) -> int:
-    """Number of warnings that contain these words."""
-    return sum(words in warning for warning in torque.warnings)
+    bearing = BEARING if conformity is None else with_conformity(conformity)
+    lubricant = replace(OIL, reach=Reach(ahead=ahead), starvation_degree=degree)
+    changed: dict[str, Any] = {"bearing": bearing, "lubricant": lubricant, "surface": surface}
+    return torque_6205(axial_load=700.0, speed=speed, friction_coefficient=None, **changed)
 
 
 def coefficient(**changed: float) -> float:
@@ -145,12 +135,6 @@ def coefficient(**changed: float) -> float:
     coefficient = oiled(**changed).friction_coefficient.inner
     assert coefficient is not None
     return float(coefficient[0])
-
-
-def share_of_smooth_races() -> float:
-    """The larger asperity share of both races."""
-    shares = oiled(rms_roughness=0.0).asperity_share
-    return max(float(values[0]) for values in vars(shares).values())
 
 
 LUBRICATION_CASES: dict[str, Callable[[], float]] = {
@@ -175,7 +159,7 @@ LUBRICATION_CASES: dict[str, Callable[[], float]] = {
     "mixed: no film after inlet heating": lambda: share(0.3e-6, film_factor=0.0),
     "mixed: friction at vanishing load": lambda: exponent(light_friction, 1e-12, 1e-9),
     "oil: 3.1 GPa": lambda: thickened(3.1e9),
-    "oil: no piezoviscosity": lambda: thickened(3.1e9, pressure_viscosity=0.0) / OIL.viscosity,
+    "oil: no piezoviscosity": lambda: thickened(3.1e9, alpha=0.0) / OIL.viscosity,
     "oil: a temperature in degrees Celsius": lambda: thickened(0.9e9, temperature=40.0),
     "oil: no sliding": lambda: shear(0.0) / 5.3e6,
     "oil: sliding at 1e-15 m/s": lambda: shear(1e-15) / 1e-15,
@@ -187,10 +171,12 @@ LUBRICATION_CASES: dict[str, Callable[[], float]] = {
     "oiled torque: reversed rotation": lambda: float(
         oiled(speed=-31.0).torque.total[0] / oiled(speed=31.0).torque.total[0]
     ),
-    "oiled torque: smooth races": share_of_smooth_races,
+    "oiled torque: smooth races": lambda: max(
+        float(values[0]) for values in vars(oiled(rms_roughness=0.0).asperity_share).values()
+    ),
     "oiled torque: inlet shorter than the contact": lambda: coefficient(ahead=0.01, degree=5.0) / BOUNDARY_FRICTION,
     "oiled torque: inlet that ends at the contact": lambda: coefficient(degree=1.0) / BOUNDARY_FRICTION,
     "oiled torque: ellipse outside the film's fit": lambda: float(
-        warned(oiled(conformity=0.505), "contact ellipse outside the fitted shapes")
+        sum("contact ellipse outside the fitted shapes" in words for words in oiled(conformity=0.505).warnings)
     ),
 }
