@@ -22,7 +22,7 @@ from analytic.loads.numbers import bearing_numbers
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.numerics.records import Record
 from analytic.oil.rolling import HYSTERESIS_LOSS
-from analytic.scene import Array, RollingFormula, Scene
+from analytic.scene import Array, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from validation.measured.anchor import Anchor, anchor, anchors_page, draw_anchors, write_anchors
@@ -40,6 +40,10 @@ RPM = (60, 90, 120, 150, 180, 210)
 INERTIA, BALL_INERTIA = 0.03, 0.025
 UNIFORM = 3**-0.5  # standard deviation over half the width of a uniform distribution
 SURFACE_TENSION = 0.03  # N/m, mineral oil, usual
+COLUMNS = (  # of measured.csv
+    *("ball_diameter_mm", "rpm", "runs", "D_uN_m", "S_uN_m", "E_uN_m", "E_over_D", "u_D_uN_m", "u_num_uN_m"),
+    *("u_input_uN_m", "u_val_uN_m", "abs_E_over_u_val", "S_free_balls_uN_m", "free_balls_numerical_95_uN_m"),
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -159,12 +163,6 @@ def total(scene: Scene) -> Array:
     return friction_torque(scene).torque.total
 
 
-def with_rolling_formula(scene: Scene, formula: RollingFormula) -> Scene:
-    """The scene with another law of the resistance to rolling."""
-    assert scene.lubricant is not None
-    return replace(scene, lubricant=replace(scene.lubricant, rolling_formula=formula))
-
-
 def half_change(scene: Scene, paths: Sequence[str], uncertainty: float) -> Array:
     """Half of the difference between the torques with an input raised and lowered by its standard uncertainty."""
     low, high = (total(scaled(scene, paths, 1 + sign * uncertainty)) for sign in (-1, 1))
@@ -209,16 +207,13 @@ def mechanisms(scene: Scene, computed: Array) -> Iterator[tuple[str, Array]]:
     most = replace(scene, hysteresis_loss=HYSTERESIS_LOSS[1])
     yield f"hysteresis with a loss factor of {HYSTERESIS_LOSS[1]:g}, more than in S", total(most) - computed
     yield "Snare's resistance of dry contacts, the whole", snare(scene) + 0 * computed
-    formulas: tuple[tuple[RollingFormula, str], ...] = (
-        ("biboulet", "[Biboulet2010]"),
-        ("houpert", "[Houpert1987]"),
-    )
-    for formula, source in formulas:
-        yield f"rolling by the formula of {source}", total(with_rolling_formula(scene, formula)) - computed
-    drowned = replace(scene, lubricant=replace(scene.lubricant, cavitation_pressure=-1e5))
-    yield "an outlet full of oil that bears 0.1 MPa of tension", total(drowned) - computed
-    starved = replace(scene, lubricant=replace(scene.lubricant, starvation_degree=2.0))
-    yield "starvation, menisci at two semi-axes", total(starved) - computed
+    for words, changed in (
+        ("rolling by the formula of [Biboulet2010]", {"rolling_formula": "biboulet"}),
+        ("rolling by the formula of [Houpert1987]", {"rolling_formula": "houpert"}),
+        ("an outlet full of oil that bears 0.1 MPa of tension", {"cavitation_pressure": -1e5}),
+        ("starvation, menisci at two semi-axes", {"starvation_degree": 2.0}),
+    ):
+        yield words, total(replace(scene, lubricant=replace(scene.lubricant, **changed))) - computed
 
 
 def ball_of(scene: Scene) -> Record:
@@ -249,17 +244,17 @@ def write_points(rigs: list[Rig], path: Path) -> None:
     """One row for each point, uN m."""
     rows: list[dict[str, object]] = []
     for rig in rigs:
-        micro = {
-            "D_uN_m": rig.measured, "S_uN_m": rig.computed, "E_uN_m": rig.error,
-            "E_over_D": rig.error / rig.measured * 1e-6, "u_D_uN_m": rig.measurement, "u_num_uN_m": rig.numerical,
-            "u_input_uN_m": rig.input, "u_val_uN_m": rig.validation,
-            "abs_E_over_u_val": np.abs(rig.error) / rig.validation * 1e-6,
-            "S_free_balls_uN_m": rig.free, "free_balls_numerical_95_uN_m": rig.free_numerical,
+        torques = {
+            "D": rig.measured, "S": rig.computed, "E": rig.error, "u_D": rig.measurement, "u_num": rig.numerical,
+            "u_input": rig.input, "u_val": rig.validation, "S_free_balls": rig.free,
+            "free_balls_numerical_95": rig.free_numerical,
         }  # fmt: skip
+        micro = {f"{name}_uN_m": 1e6 * values for name, values in torques.items()}
+        micro |= {"E_over_D": rig.error / rig.measured, "abs_E_over_u_val": np.abs(rig.error) / rig.validation}
         for point, rpm in enumerate(RPM):
             known = {"ball_diameter_mm": 1e3 * rig.ball_diameter, "rpm": rpm, "runs": int(rig.count[point])}
-            rows.append(known | {name: float(1e6 * part[point]) for name, part in micro.items()})
-    write(rows, path, list(rows[0]), form=".5g")
+            rows.append(known | {name: float(values[point]) for name, values in micro.items()})
+    write(rows, path, COLUMNS, form=".5g")
 
 
 if __name__ == "__main__":
