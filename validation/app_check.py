@@ -15,7 +15,6 @@ checks pass, 1 a check fails, 2 no browser or no script.
 """
 
 import argparse
-import shutil
 import socket
 import statistics
 import subprocess
@@ -32,7 +31,7 @@ from typing import NamedTuple
 from rich.console import Console
 
 from validation.browser_tab import LOOK, PATIENCE, Browser, Tab, started
-from validation.report_check import BROWSERS, WIDTHS, leave
+from validation.site_check import WIDTHS, finish, found_browser, leave, read_script
 
 TORQUE = "document.querySelector('.big span')?.textContent ?? ''"
 TITLE = "document.querySelector('h1')?.textContent ?? ''"
@@ -117,13 +116,7 @@ def main() -> None:
     parser.add_argument("--axe", type=Path, help="axe.min.js of axe-core")
     parser.add_argument("--shots", type=Path, help="folder for screenshots")
     options = parser.parse_args()
-    program = next(filter(None, map(shutil.which, BROWSERS)), None)
-    if program is None:
-        leave(f"no browser on PATH: looked for {', '.join(BROWSERS)}", 2)
-    try:
-        axe = "" if options.axe is None else options.axe.read_text("utf-8")
-    except OSError as problem:
-        leave(f"cannot be read: {problem}", 2)
+    program, axe = found_browser(), read_script(options.axe)
     out, faults = Console(highlight=False, markup=False, soft_wrap=True), []
     with started(program) as browser, served() as server:
         check = Check(browser, server, axe, options.shots, options.short)
@@ -137,10 +130,7 @@ def main() -> None:
             faults += [f"{width} pixels, {mode}: {fault}" for fault in found]
             out.print(f"{width} pixels, {mode}: {len(found)} faults")
         out.print(f"at the end the server has {server.memory:.0f} MB")
-    for fault in faults:
-        out.print(fault)
-    out.print("all checks pass" if not faults else f"{len(faults)} faults")
-    sys.exit(1 if faults else 0)
+    finish(out, faults)
 
 
 @contextmanager

@@ -13,7 +13,7 @@ from typing import Any
 
 from websockets.sync.client import ClientConnection, connect
 
-from validation.report_check import HEIGHT, leave
+from validation.site_check import HEIGHT, leave
 
 PATIENCE = 300.0  # s: the first torque on a machine compiles formulas
 SETTLED = 0.5  # s in which a page takes another size

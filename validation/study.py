@@ -19,9 +19,9 @@ from rich.table import Table
 
 Row = dict[str, str]
 Task = TypeVar("Task")
-PUBLISHED = Path(__file__).parent / "published"
-SCENES = Path(__file__).parent / "scenes"
-Out = Annotated[Path, typer.Option(help="Folder of the results.")]
+HERE = Path(__file__).resolve().parent
+ROOT, PUBLISHED, SCENES = HERE.parent, HERE / "published", HERE / "scenes"
+Out = Annotated[Path, typer.Option("--out", help="Folder of the results.")]
 Jobs = Annotated[int, typer.Option(min=1, help="Processes.")]
 out = Console(width=130, highlight=False, markup=False)
 progress = Console(stderr=True)

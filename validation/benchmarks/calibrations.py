@@ -6,7 +6,7 @@ where Hertz is exact, or against boundary elements. Not repeated here: `HALF`, `
 """
 
 from dataclasses import replace
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 import typer
@@ -26,7 +26,7 @@ from fembearing.fem.solution import GOOD_GUESS, condensed_pair, fitted_solution,
 from fembearing.grid_convergence import FINEST, HALF
 from fembearing.mesh.recipe import load_recipe
 from validation.benchmarks.intervals import random_contact
-from validation.study import out, progress, run
+from validation.study import progress, run, show
 
 SIZES = np.linspace(0.65, 1.35, 33)  # size of an ellipse over the size for which its mesh is made
 SEED = 3000
@@ -37,37 +37,28 @@ POINTS = 256  # of the boundary elements, in each direction
 def main(contacts: Annotated[int, typer.Option(help="Number of random contacts.")] = 14) -> None:
     chosen = [ideal_contact(seed) for seed in range(SEED, SEED + contacts)]
     sized = [mesh_size_errors(each) for each in track(chosen, description="sizes", console=progress)]
-    shift = np.array(sized)
-    out.print(
-        f"GOOD_GUESS {GOOD_GUESS}: a mesh for an ellipse {GOOD_GUESS:.0%} too large changes a quantity of the third "
-        f"level by at most {np.max(shift[:, 0]):.3%}, and by at most {np.max(shift[:, 1]):.1f} times that level's own "
-        "error"
-    )
-    missed = [guess_errors(seed) for seed in range(SEED, SEED + contacts)]
-    out.print(
-        f"MINOR_GROWS, MAJOR_SHRINKS {MINOR_GROWS:g}, {MAJOR_SHRINKS:g}: the first guess misses the ellipse of a ball "
-        f"in a groove on the second level by up to {np.nanmax(missed):.2%}"
-    )
-    beyond, plain = zip(*(off_mesh_errors(each) for each in track(chosen, console=progress)), strict=True)
+    change, over_error = np.max(sized, axis=0)
+    missed = np.nanmax([guess_errors(seed) for seed in range(SEED, SEED + contacts)])
+    beyond, plain = np.moveaxis([off_mesh_errors(each) for each in track(chosen, console=progress)], 1, 0)
     inside = (SIZES >= NARROWEST) & (SIZES <= WIDEST)
-    out.print(
-        f"OFF_MESH {OFF_MESH:.2%}: at {SIZES.size} sizes from {SIZES[0]:g} to {SIZES[-1]:g} of the mesh's, the error "
-        f"beyond the interval from the levels is {np.quantile(beyond, 0.95):.2%} (95 % quantile), worst "
-        f"{np.max(beyond):.2%}"
-    )
-    out.print(
-        f"NARROWEST, WIDEST {NARROWEST:g}, {WIDEST:g}: between them the largest error of the third level's approach is "
-        f"{np.abs(np.array(plain)[:, inside]).max():.2%}, outside {np.abs(np.array(plain)[:, ~inside]).max():.2%}"
-    )
+    rows = [
+        ("GOOD_GUESS", f"{GOOD_GUESS}", f"a mesh for an ellipse {GOOD_GUESS:.0%} too large changes a quantity of the "
+         f"third level by at most {change:.3%}, and by at most {over_error:.1f} times that level's own error"),
+        ("MINOR_GROWS, MAJOR_SHRINKS", f"{MINOR_GROWS:g}, {MAJOR_SHRINKS:g}", "the first guess misses the ellipse of a "
+         f"ball in a groove on the second level by up to {missed:.2%}"),
+        ("OFF_MESH", f"{OFF_MESH:.2%}", f"at {SIZES.size} sizes from {SIZES[0]:g} to {SIZES[-1]:g} of the mesh's, the "
+         f"error beyond the interval from the levels is {np.quantile(beyond, 0.95):.2%} (95 % quantile), worst "
+         f"{np.max(beyond):.2%}"),
+        ("NARROWEST, WIDEST", f"{NARROWEST:g}, {WIDEST:g}", "between them the largest error of the third level's "
+         f"approach is {np.abs(plain[:, inside]).max():.2%}, outside {np.abs(plain[:, ~inside]).max():.2%}"),
+    ]  # fmt: skip
     try:
-        shares = [strip_shares(distance) for distance in SHOULDERS]
+        errors = ", ".join(f"{ours / other - 1:+.1%}" for ours, other in map(strip_shares, SHOULDERS))
     except ModuleNotFoundError as problem:
-        out.print(f"STRIP_LEAST {STRIP_LEAST:.0%}: not measured, {problem.name} is not installed")
-        return
-    errors = ", ".join(f"{ours / other - 1:+.1%}" for ours, other in shares)
-    out.print(
-        f"STRIP_LEAST {STRIP_LEAST:.0%}: error of the third level's strip share against boundary elements: {errors}"
-    )
+        errors = f"not measured, {problem.name} is not installed"
+    words = "error of the third level's strip share against boundary elements"
+    rows.append(("STRIP_LEAST", f"{STRIP_LEAST:.0%}", f"{words}: {errors}"))
+    show(("constant", "value", "measured"), rows)
 
 
 def ideal_contact(seed: int) -> Contact:
@@ -136,30 +127,22 @@ def boundary_elements(contact: Contact, *, semi_axes: tuple[float, float], point
 
     Raises ModuleNotFoundError where Tamaas is not installed.
     """
-    import tamaas as installed
+    from validation.peers.tamaas_bem import pressed
 
-    tamaas: Any = installed  # its stubs lack these names
-    tamaas.set_log_level(tamaas.LogLevel.error)
     low, high = -1.2 * semi_axes[1], contact.shoulder
-    sides = [2.4 * semi_axes[0], high - low]
-    model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, sides, [points, points])
-    model.E, model.nu = contact_modulus(contact.ball_material, contact.race_material), 0.0  # so that E is E*
-    tamaas.ModelFactory.registerNonPeriodic(model, "half space")
-    middle = (np.arange(points) + 0.5) / points
+    sides, middle = [2.4 * semi_axes[0], high - low], (np.arange(points) + 0.5) / points
     x, y = np.meshgrid((middle - 0.5) * sides[0], low + middle * sides[1], indexing="ij")
     curvature_x, curvature_y = relative_curvatures(contact)
     surface = -(float(curvature_x) * x**2 + float(curvature_y) * y**2) / 2
-    solver = tamaas.PolonskyKeerRey(model, surface, 1e-9)  # tolerance of conjugate gradients; they stagnate at 1e-12
-    solver.setIntegralOperator("half space")
-    solver.solve(contact.load / (sides[0] * sides[1]))
-    model.operators["half space"](model.traction, model.displacement)
-    pressure = np.array(model.traction)
+    modulus = contact_modulus(contact.ball_material, contact.race_material)
+    # A residual of 1e-9: the conjugate gradients stagnate at 1e-12.
+    pressure, moved = pressed(surface, sides=sides, modulus=modulus, load=contact.load, residual=1e-9)
     total, centroid = pressure.sum(), np.average(y, weights=pressure)
     beyond = np.append(0.0, np.cumsum(pressure.sum(axis=0))) / total
     return {
         "semi_axis_rolling": float(np.sqrt(5 * np.average(x**2, weights=pressure))),
         "semi_axis_transverse": float(np.sqrt(5 * np.average((y - centroid) ** 2, weights=pressure))),
-        "approach": float(np.average(np.array(model.displacement) - surface, weights=pressure)),
+        "approach": float(np.average(moved - surface, weights=pressure)),
         "centroid": float(centroid),
         "strip_share": 1 - float(np.interp((1 - STRIP) * high, np.linspace(low, high, points + 1), beyond)),
     }

@@ -9,10 +9,11 @@ contains the true value, the median of half-width over true error, and the large
 """
 
 import time
+from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
-from typing import Annotated, Literal
+from typing import Annotated, Literal, NamedTuple
 
 import numpy as np
 import typer
@@ -20,7 +21,7 @@ from rich.progress import track
 
 from analytic.errors import FembearingError
 from analytic.progress import silent
-from analytic.scene import Contact
+from analytic.scene import Array, Contact
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.refinement import COMPARED, solve_reference
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
@@ -42,14 +43,13 @@ LEFT = 1 / 16
 Kind = Literal["hertzian", "race"]
 
 
-@dataclass(frozen=True)
-class Trial:
-    """One contact: relative values by accuracy and quantity."""
+class Trial(NamedTuple):
+    """One contact; relative errors and stated uncertainties by accuracy and quantity, (2, 4)."""
 
-    error: dict[float, dict[str, float]]
-    uncertainty: dict[float, dict[str, float]]
-    seconds: dict[float, float]  # processor time
-    correction: dict[str, float]  # of the true values, by the idealisation; 0 where they are exact
+    error: Array
+    uncertainty: Array
+    seconds: list[float]  # processor time by accuracy
+    correction: Array  # of the true values, by the idealisation; 0 where they are exact
 
 
 def main(
@@ -70,11 +70,12 @@ def main(
                 if isinstance(each, str):
                     out.print(f"seed {number}: {each}")
             solved = [each for each in results if isinstance(each, Trial)]
-            for accuracy in ACCURACIES:
-                judge(kind, solved, accuracy=accuracy, first=seed, count=count)
+            title = f"{kind}: seeds {seed} to {seed + count - 1}, {len(solved)} contacts solved"
+            for number, accuracy in enumerate(ACCURACIES):
+                judge(solved, number, f"{title}, accuracy {accuracy:g}")
             if kind == "race":
-                worst = {name: max(abs(each.correction[name]) for each in solved) for name in COMPARED}
-                words = ", ".join(f"{name} {error:.4%}" for name, error in worst.items())
+                worst = np.max(np.abs([each.correction for each in solved]), axis=0)
+                words = ", ".join(f"{name} {error:.4%}" for name, error in zip(COMPARED, worst, strict=True))
                 out.print(f"The idealisation corrects the converged solutions by up to: {words}\n")
 
 
@@ -82,32 +83,27 @@ def trial(seed: int, *, kind: Kind) -> Trial | str:
     """One random contact, or the reason why it cannot be solved."""
     recipe = load_recipe(kind)
     contact = random_contact(np.random.default_rng(seed), pockets=SHARE_OF_POCKETS if kind == "hertzian" else 0.0)
-    references, seconds = {}, {}
-    correction: dict[str, float] = dict.fromkeys(COMPARED, 0.0)
+    references, seconds, correction = [], [], np.zeros(len(COMPARED))
     try:
         for accuracy in ACCURACIES:
             start = time.process_time()
-            references[accuracy] = solve_reference(contact, recipe=recipe, accuracy=accuracy, progress=silent)
-            seconds[accuracy] = time.process_time() - start
+            references.append(solve_reference(contact, recipe=recipe, accuracy=accuracy, progress=silent))
+            seconds.append(time.process_time() - start)
         if kind == "hertzian":
-            truth = vars(hertz_quantities(contact))
+            truth = _values(vars(hertz_quantities(contact)))
         else:
-            semi_axes = references[ACCURACIES[0]].meshes[1].pair.semi_axes
             correction = error_of_converged(contact)
-            plain = converged(contact, recipe=recipe, semi_axes=semi_axes)
-            truth = {name: value / (1 + correction[name]) for name, value in plain.items()}
+            semi_axes = references[0].meshes[1].pair.semi_axes
+            truth = converged(contact, recipe=recipe, semi_axes=semi_axes) / (1 + correction)
     except FembearingError as problem:
         return str(problem)
-    parts = {accuracy: {name: each.estimates[name] for name in COMPARED} for accuracy, each in references.items()}
-    return Trial(
-        error={
-            accuracy: {name: abs(part.value / truth[name] - 1) for name, part in each.items()}
-            for accuracy, each in parts.items()
-        },
-        uncertainty={accuracy: {name: part.total for name, part in each.items()} for accuracy, each in parts.items()},
-        seconds=seconds,
-        correction=correction,
-    )
+    parts = [[each.estimates[name] for name in COMPARED] for each in references]
+    error = np.abs(np.array([[part.value for part in each] for each in parts]) / truth - 1)
+    return Trial(error, np.array([[part.total for part in each] for each in parts]), seconds, correction)
+
+
+def _values(quantities: Mapping[str, float]) -> Array:
+    return np.array([quantities[name] for name in COMPARED])
 
 
 def random_contact(rng: np.random.Generator, *, pockets: float = SHARE_OF_POCKETS) -> Contact:
@@ -123,55 +119,44 @@ def random_contact(rng: np.random.Generator, *, pockets: float = SHARE_OF_POCKET
     return pressed_to(Contact(**shape, load=1.0), 10 ** rng.uniform(-4, np.log10(0.2)) * shape["ball_radius"])
 
 
-def converged(contact: Contact, *, recipe: Recipe, semi_axes: tuple[float, float]) -> dict[str, float]:
-    """The four quantities, extrapolated, on meshes that do not refine those of the recipe."""
+def converged(contact: Contact, *, recipe: Recipe, semi_axes: tuple[float, float]) -> Array:
+    """(4,) the quantities, extrapolated, on meshes that do not refine those of the recipe."""
     has_boundary = recipe.geometry == "real"  # half spaces have none
 
-    def solved(width: float, level: int, *, extended: bool) -> dict[str, float]:
+    def solved(width: float, level: int, *, extended: bool) -> Array:
         domain = Domain(extent=width * recipe.domain.extent, growth=OTHER_GROWTH)
         other = replace(recipe, cells=OTHER_CELLS, patch=OTHER_PATCH, depth=OTHER_DEPTH, domain=domain)
         mesh = solve_on_mesh(contact, recipe=other, level=level, semi_axes=semi_axes, extended=extended)
-        return vars(mesh.quantities)
+        return _values(vars(mesh.quantities))
 
-    def extrapolated(name: str, first: dict[str, float], second: dict[str, float]) -> float:
-        return second[name] + (second[name] - first[name]) * LEFT / (1 - LEFT)
+    def extrapolated(first: Array, second: Array) -> Array:
+        return second + (second - first) * LEFT / (1 - LEFT)
 
     coarse, fine = (solved(WIDER, level, extended=False) for level in (1, 2))
     wider = solved(WIDER, 2, extended=True) if has_boundary else fine
-    values = {name: extrapolated(name, coarse, fine) * wider[name] / fine[name] for name in COMPARED}
-    return values | {
-        "approach": extrapolated("approach", *(solved(1.0, level, extended=has_boundary) for level in (1, 2)))
-    }
+    of_block = extrapolated(*(solved(1.0, level, extended=has_boundary) for level in (1, 2)))
+    return np.where(np.array(COMPARED) == "approach", of_block, extrapolated(coarse, fine) * wider / fine)
 
 
-def error_of_converged(contact: Contact) -> dict[str, float]:
-    """Relative error of `converged` against exact Hertz on the idealisation of a contact of true shape."""
-    recipe = load_recipe("hertzian")
-    recipe = replace(recipe, domain=load_recipe("race").domain)
+def error_of_converged(contact: Contact) -> Array:
+    """(4,) relative error of `converged` against exact Hertz on the idealisation of a contact of true shape."""
+    recipe = replace(load_recipe("hertzian"), domain=load_recipe("race").domain)
     contact = replace(contact, shoulder=np.inf, far_shoulder=np.inf)
     values = converged(contact, recipe=recipe, semi_axes=fitted_solution(contact, recipe=recipe).pair.semi_axes)
-    exact = vars(hertz_quantities(contact))
-    return {name: values[name] / exact[name] - 1 for name in COMPARED}
+    return values / _values(vars(hertz_quantities(contact))) - 1
 
 
-def judge(kind: Kind, trials: list[Trial], *, accuracy: float, first: int, count: int) -> None:
-    """Print how often the intervals of an accuracy hold."""
-    all_hold, rows = np.ones(len(trials), dtype=bool), []
-    for name in COMPARED:
-        error = np.array([each.error[accuracy][name] for each in trials])
-        width = np.array([each.uncertainty[accuracy][name] for each in trials])
-        all_hold &= error <= width
-        holds = f"{np.count_nonzero(error <= width)} of {error.size}"
-        rows.append((name, holds, f"{np.median(width / error):.1f}", f"{np.median(error):.3%}", f"{error.max():.3%}"))
-    heads = ("quantity", "interval holds", "half-width/error, median", "error, median", "error, worst")
-    show(
-        heads,
-        rows,
-        f"{kind}: seeds {first} to {first + count - 1}, {len(trials)} contacts solved, accuracy {accuracy:g}",
-    )
-    seconds = np.median([each.seconds[accuracy] for each in trials])
-    held = f"All four hold in {np.count_nonzero(all_hold)} of {len(trials)}"
-    out.print(f"{held}; median processor time {seconds:.1f} s a contact\n")
+def judge(trials: list[Trial], number: int, title: str) -> None:
+    """Print how often the intervals of an accuracy, by its number, hold."""
+    errors, widths = (np.array([each[part][number] for each in trials]) for part in (0, 1))
+    held, rows = errors <= widths, []
+    for name, error, width, holds in zip(COMPARED, errors.T, widths.T, held.T, strict=True):
+        told = f"{np.median(width / error):.1f}", f"{np.median(error):.3%}", f"{error.max():.3%}"
+        rows.append((name, f"{np.count_nonzero(holds)} of {error.size}", *told))
+    show(("quantity", "interval holds", "half-width/error, median", "error, median", "error, worst"), rows, title)
+    seconds = np.median([each.seconds[number] for each in trials])
+    all_four = np.count_nonzero(held.all(axis=1))
+    out.print(f"All four hold in {all_four} of {len(trials)}; median processor time {seconds:.1f} s a contact\n")
 
 
 if __name__ == "__main__":

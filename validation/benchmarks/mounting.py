@@ -7,6 +7,7 @@ change of the groove's diameter over the interference, beside that of the model 
 section. Needs a few seconds.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -69,24 +70,21 @@ def main() -> None:
     )
 
 
-def sections() -> list[Section]:
+def sections() -> Iterator[Section]:
     """Inner and outer rings of a few bearings; shoulders 0.2 ball diameters high, grooves 0.52."""
-    rings = []
-    for name, bore, outside, width, ball, pitch, one_sided in (
-        ("608", 8, 22, 7, 3.969, 15.0, False),
-        ("6205", 25, 52, 15, 7.938, 39.0, False),
-        ("6210", 50, 90, 20, 12.7, 70.0, False),
-        ("6308", 40, 90, 23, 15.081, 65.0, False),
-        ("7014 spindle", 70, 110, 20, 12.7, 90.0, True),
+    for name, bore, outside, width, ball, pitch in (
+        ("608", 8, 22, 7, 3.969, 15.0),
+        ("6205", 25, 52, 15, 7.938, 39.0),
+        ("6210", 50, 90, 20, 12.7, 70.0),
+        ("6308", 40, 90, 23, 15.081, 65.0),
+        ("7014 spindle", 70, 110, 20, 12.7, 90.0),
     ):
         groove = 0.52 * ball
         half = float(np.sqrt(0.2 * ball * (2 * groove - 0.2 * ball)))
         common = {"groove": groove, "shoulder": half, "width": float(width)}
-        inner, outer = f"{name}, inner", f"{name}, outer"
-        rings.append(Section(name=inner, seat=bore / 2, bottom=(pitch - ball) / 2, far_shoulder=half, **common))
-        far = 0.0 if one_sided else half
-        rings.append(Section(name=outer, seat=outside / 2, bottom=(pitch + ball) / 2, far_shoulder=far, **common))
-    return rings
+        yield Section(name=f"{name}, inner", seat=bore / 2, bottom=(pitch - ball) / 2, far_shoulder=half, **common)
+        far = 0.0 if "spindle" in name else half
+        yield Section(name=f"{name}, outer", seat=outside / 2, bottom=(pitch + ball) / 2, far_shoulder=far, **common)
 
 
 def lame_ratio(section: Section, surface: float) -> float:
@@ -103,52 +101,46 @@ def lame_ratio(section: Section, surface: float) -> float:
 
 def solved_ratio(section: Section, *, wider: float = WIDER) -> float:
     """By finite elements: ring and its counterpart share their nodes' radial places but for the interference."""
-    half = section.width / 2
+    seat, half = section.seat, section.width / 2
     y = np.unique(np.concatenate([np.linspace(-half, half, 61), [0.0, section.shoulder, -section.far_shoulder]]))
     beyond = np.linspace(half, wider * half, 13)[1:] if wider > 1 else np.empty(0)
-    far = np.concatenate([-beyond[::-1], y, beyond])
-    ring = grid(
-        y, np.linspace(0, 1, 13), lambda line, share: section.seat + share * (section.surface(line) - section.seat)
-    )
-    end = 1e-3 * section.seat if section.sign > 0 else HOUSING * section.seat
-    other = grid(far, np.linspace(0, 1, 31), lambda line, share: section.seat + share * (end - section.seat) + 0 * line)
+    end = 1e-3 * seat if section.sign > 0 else HOUSING * seat
+    ring = grid(y, 13, lambda line, share: seat + share * (section.surface(line) - seat))
+    other = grid(np.concatenate([-beyond[::-1], y, beyond]), 31, lambda _, share: seat + share * (end - seat))
     bases = [Basis(mesh, ElementVector(ElementQuad2()), intorder=4) for mesh in (ring, other)]
-    stiffness = [elastic.assemble(basis) for basis in bases]
-    first = bases[0].N
-    places = [basis.doflocs for basis in bases]
-    radial = [np.arange(0, basis.N) for basis in bases]
+    whole = block_diag([elastic.assemble(basis) for basis in bases]).tocsr()
+    place = np.hstack([basis.doflocs for basis in bases])
+    firsts = (0, bases[0].N)  # of the unknowns of each body
+    axial, radial = ([first + dofs_along(basis, k) for first, basis in zip(firsts, bases, strict=True)] for k in (0, 1))
+
+    def nearest(dofs: NDArray[np.intp], radius: float) -> np.intp:
+        return dofs[np.argmin(np.hypot(place[0, dofs], place[1, dofs] - radius))]
+
     seats = []
-    for basis, place in zip(bases, places, strict=True):
-        on_seat = np.flatnonzero(np.isclose(place[1], section.seat) & (np.abs(place[0]) <= half * (1 + 1e-9)))
-        across = np.concatenate([basis.nodal_dofs[1], basis.facet_dofs[1], basis.interior_dofs[1]])
-        on_seat = np.intersect1d(on_seat, across)
-        seats.append(on_seat[np.argsort(place[0, on_seat])])
-    assert len(seats[0]) == len(seats[1])
+    for dofs in radial:
+        on = dofs[np.isclose(place[1, dofs], seat) & (np.abs(place[0, dofs]) <= half * (1 + 1e-9))]
+        seats.append(on[np.argsort(place[0, on])])
     # The ring's radial displacement on the seat is that of its counterpart, plus or less half the interference.
-    total = first + bases[1].N
-    target = np.arange(total)
-    target[seats[0]] = first + seats[1]
-    jump = np.zeros(total)
-    jump[seats[0]] = section.sign * 0.5
+    total = whole.shape[0]
+    target, jump = np.arange(total), np.zeros(total)
+    target[seats[0]], jump[seats[0]] = seats[1], section.sign * 0.5
     tie = coo_array((np.ones(total), (np.arange(total), target)), shape=(total, total)).tocsr()
-    whole = block_diag(stiffness).tocsr()
     matrix, force = tie.T @ whole @ tie, -(tie.T @ (whole @ jump))
-    axial = [np.concatenate([basis.nodal_dofs[0], basis.facet_dofs[0], basis.interior_dofs[0]]) for basis in bases]
-    held = []  # one place along the axis of each body
-    for index, (dofs, place) in enumerate(zip(axial, places, strict=True)):
-        held.append(dofs[np.argmin(np.hypot(place[0, dofs], place[1, dofs] - section.seat))] + index * first)
+    held = [nearest(dofs, seat) for dofs in axial]  # one place along the axis of each body
     free = np.setdiff1d(np.arange(total), [*seats[0], *held])
     moved = np.zeros(total)
     moved[free] = spsolve(matrix[free][:, free], force[free])
-    moved = tie @ moved + jump
-    across = np.intersect1d(radial[0], np.concatenate([bases[0].nodal_dofs[1], bases[0].facet_dofs[1]]))
-    bottom = across[np.argmin(np.hypot(places[0][0, across], places[0][1, across] - section.bottom))]
-    return section.sign * 2 * float(moved[bottom])
+    return section.sign * 2 * float((tie @ moved + jump)[nearest(radial[0], section.bottom)])
 
 
-def grid(along: NDArray[np.float64], shares: NDArray[np.float64], radius) -> MeshQuad:
-    """Cells between lines along the axis and shares of the wall."""
-    mesh = MeshQuad.init_tensor(along, shares)
+def dofs_along(basis: Basis, axis: int) -> NDArray[np.intp]:
+    """Unknowns along the bearing's axis, 0, or the radius, 1."""
+    return np.concatenate([basis.nodal_dofs[axis], basis.facet_dofs[axis], basis.interior_dofs[axis]])
+
+
+def grid(along: NDArray[np.float64], count: int, radius) -> MeshQuad:
+    """Cells between lines along the axis and so many even shares of the wall."""
+    mesh = MeshQuad.init_tensor(along, np.linspace(0, 1, count))
     return MeshQuad(np.stack([mesh.p[0], radius(mesh.p[0], mesh.p[1])]), mesh.t)
 
 

@@ -19,10 +19,10 @@ from pathlib import Path
 import numpy as np
 
 from analytic.contact.hertz import hertz_contact
-from validation.study import Out, markdown, numbers, published, read, run, write, write_text
+from validation.study import ROOT, Out, Row, markdown, numbers, published, read, run, write, write_text
 
 HERE = Path(__file__).parent
-ROWS = HERE.parents[1] / "analytic" / "catalog" / "bearings"
+ROWS = ROOT / "analytic" / "catalog" / "bearings"
 
 STATIC_PRESSURE = 4200e6  # Pa, [ISO76]
 MODULUS = 207e9 / (2 * (1 - 0.3**2))  # E* of the steel of [ISO76], Pa
@@ -43,7 +43,6 @@ FILLING, FILLING_SPREAD = (181.0, 197.0), 4.0  # degrees
 PLAY = 0.006  # standard deviation of the pitch diameter about (d + D)/2, relative
 SMALL, SMALL_PLAY = 26.0, 0.03  # mm, relative: the same below this outside diameter
 CLEAR = 4.0  # difference of scores: likelihoods differ by exp(2)
-POOR = 10.0  # a score that fits nothing
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -172,33 +171,17 @@ def score_balls(
     ]
 
 
-def same_size(one: float, other: float) -> bool:
+def same_size(one: float, other: float, tolerance: float = 1.5e-3) -> bool:
     """Whether two diameters are one standard size, rounded perhaps: neighbours differ by 0.3 % at least."""
-    return math.isclose(one, other, rel_tol=1.5e-3)
-
-
-def score_of(candidates: Iterable[Candidate], count: int, diameter: float) -> float:
-    """Infinite: not among the candidates."""
-    hits = (c.score for c in candidates if c.count == count and same_size(c.diameter, diameter))
-    return min(hits, default=math.inf)
-
-
-def _rating(row: Mapping[str, str], angle: float = 0.0) -> Rating:
-    return Rating(
-        angle=angle,
-        dynamic=float(row["dynamic_rating_N"]),
-        static=float(row["static_rating_N"]),
-        factor=float(row["f0"]) if row["f0"] else None,
-    )
+    return math.isclose(one, other, rel_tol=tolerance)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Check:
-    """One bearing of one maker: its balls in the catalogue and those of this program."""
+    """One bearing of one maker: its balls in the catalogue and those of this program, the best first."""
 
     maker: str
     designation: str
-    outside: float  # mm
     grade: str
     listed: tuple[int, float] | None  # count, diameter in mm
     candidates: list[Candidate]
@@ -208,65 +191,62 @@ class Check:
         best = self.candidates[0]
         return self.listed is not None and best.count == self.listed[0] and same_size(best.diameter, self.listed[1])
 
+    def excess(self, count: int, diameter: float) -> float:
+        """Score of these balls above the best; infinite: not among the candidates."""
+        hits = (c.score for c in self.candidates if c.count == count and same_size(c.diameter, diameter))
+        return min(hits, default=math.inf) - self.candidates[0].score
+
     @property
-    def excess(self) -> float:
-        """Score of the listed balls above the best."""
-        return score_of(self.candidates, *self.listed) - self.candidates[0].score if self.listed else math.inf
+    def listed_excess(self) -> float:
+        return self.excess(*self.listed) if self.listed else math.inf
 
 
-def check_deep_groove(designations: Iterable[str] | None = None, *, priors: bool = True) -> list[Check]:
-    """Every maker's deep groove bearing by itself; all designations without a choice."""
-    main = {row["designation"]: row for row in read(ROWS / "deep_groove.csv")}
-    checks = []
+def check_deep_groove(*, priors: bool = True) -> list[Check]:
+    """Every maker's deep groove bearing by itself."""
+    main, checks = {row["designation"]: row for row in read(ROWS / "deep_groove.csv")}, []
     for row in read(ROWS / "deep_groove_by_maker.csv"):
-        if designations is None or row["designation"] in designations:
-            size = main[row["designation"]]
-            balls = size if row["maker"] in size["supported_by"].split(" + ") and row["grade"] != "D" else row
-            pitch = (float(size["bore_mm"]) + float(size["outside_mm"])) / 2
-            checks.append(checked(row["designation"], row, size, balls, [_rating(row)], pitch=pitch, priors=priors))
+        size = main[row["designation"]]
+        balls = size if row["maker"] in size["supported_by"].split(" + ") and row["grade"] != "D" else row
+        bore, outside = float(size["bore_mm"]), float(size["outside_mm"])
+        play = SMALL_PLAY if outside < SMALL else PLAY
+        checks.append(checked([row], [0.0], size, balls, pitch=(bore + outside) / 2, play=play, priors=priors))
     return checks
 
 
-def check_angular_contact(*, priors: bool = True) -> list[Check]:
+def check_angular_contact() -> list[Check]:
     """Angular contact bearings whose balls are derived; all angles of one size together."""
-    groups: dict[tuple[str, str], list[dict[str, str]]] = defaultdict(list)
+    groups: dict[tuple[str, str], list[Row]] = defaultdict(list)
     for row in read(ROWS / "angular_contact.csv"):
         if row["ball_status"] == "derived":
             groups[row["maker"], row["designation"][:4]].append(row)
     checks = []
     for rows in groups.values():
-        first, names = rows[0], " ".join(row["designation"] for row in rows)
-        ratings = [_rating(row, math.radians(float(row["contact_angle_deg"]))) for row in rows]
+        first, angles = rows[0], [math.radians(float(row["contact_angle_deg"])) for row in rows]
         pitch = float(first["pitch_diameter_mm"])
-        checks.append(checked(names, first, first, first, ratings, pitch=pitch, play=PLAY, priors=priors))
+        checks.append(checked(rows, angles, first, first, pitch=pitch, play=PLAY, priors=True))
     return checks
 
 
 def checked(
-    designation: str,
-    row: Mapping[str, str],
-    size: Mapping[str, str],
-    balls: Mapping[str, str],
-    ratings: Sequence[Rating],
-    *,
-    pitch: float,
-    priors: bool,
-    play: float | None = None,
+    rows: Sequence[Row], angles: Sequence[float], size: Row, balls: Row, *, pitch: float, play: float, priors: bool
 ) -> Check:
-    """row : maker and grade;  size, balls : rows that have them;  play : None: by the outside diameter"""
-    bore, outside = float(size["bore_mm"]), float(size["outside_mm"])
-    play = play or (SMALL_PLAY if outside < SMALL else PLAY)
-    found = score_balls(
-        ratings, SPREADS[row["maker"]], section=(outside - bore) / 2, pitch=pitch, play=play, priors=priors
-    )
-    listed = (int(balls["ball_count"]), float(balls["ball_diameter_mm"])) if balls["ball_count"] else None
+    """rows, angles : ratings of one size by their contact angle, rad;  size, balls : rows that have them"""
+    maker, section = rows[0]["maker"], (float(size["outside_mm"]) - float(size["bore_mm"])) / 2
+    ratings = [
+        Rating(
+            angle=angle,
+            dynamic=float(row["dynamic_rating_N"]),
+            static=float(row["static_rating_N"]),
+            factor=float(row["f0"]) if row["f0"] else None,
+        )
+        for row, angle in zip(rows, angles, strict=True)
+    ]
     return Check(
-        maker=row["maker"],
-        designation=designation,
-        outside=outside,
-        grade=row["grade"],
-        listed=listed,
-        candidates=found,
+        maker=maker,
+        designation=" ".join(row["designation"] for row in rows),
+        grade=rows[0]["grade"],
+        listed=(int(balls["ball_count"]), float(balls["ball_diameter_mm"])) if balls["ball_count"] else None,
+        candidates=score_balls(ratings, SPREADS[maker], section=section, pitch=pitch, play=play, priors=priors),
     )
 
 
@@ -278,13 +258,10 @@ def supported(checks: Iterable[Check]) -> dict[str, Candidate]:
     chosen = {}
     for name, group in by_name.items():
         ranked = []
-        for candidate in (check.candidates[0] for check in group):
-            excesses = [
-                score_of(check.candidates, candidate.count, candidate.diameter) - check.candidates[0].score
-                for check in group
-            ]
+        for best in (check.candidates[0] for check in group):
+            excesses = [check.excess(best.count, best.diameter) for check in group]
             within = [excess for excess in excesses if excess < CLEAR]
-            ranked.append((-len(within), sum(within), candidate))
+            ranked.append((-len(within), sum(within), best))
         chosen[name] = min(ranked, key=lambda entry: entry[:2])[2]
     return chosen
 
@@ -294,7 +271,6 @@ class Hit:
     """Balls that others print or measured, and those from ratings."""
 
     designation: str
-    outside: float  # mm
     source: str
     printed: tuple[int, float]  # count, diameter in mm
     found: Candidate
@@ -306,16 +282,14 @@ class Hit:
     @property
     def right(self) -> bool:
         """Count, and diameter within 0.6 %: data sets round it."""
-        return self.count_right and math.isclose(self.found.diameter, self.printed[1], rel_tol=0.006)
+        return self.count_right and same_size(self.found.diameter, self.printed[1], 0.006)
 
 
 def compare_balls(found: Mapping[str, Candidate]) -> list[Hit]:
     """Every row of published balls whose designation is among these."""
-    outside = {row["designation"]: float(row["outside_mm"]) for row in read(ROWS / "deep_groove.csv")}
     return [
         Hit(
             designation=row["designation"],
-            outside=outside[row["designation"]],
             source=row["maker"],
             printed=(int(row["ball_count"]), float(row["ball_diameter_mm"])),
             found=found[row["designation"]],
@@ -345,25 +319,25 @@ def factor_errors() -> tuple[float, float]:
 
 def report(deep: Sequence[Check], angular: Sequence[Check], without_priors: Sequence[Check]) -> Iterator[str]:
     """The tables, as Markdown."""
-    hits = compare_balls(supported(deep))
-    static, dynamic = factor_errors()
+    hits, (static, dynamic) = compare_balls(supported(deep)), factor_errors()
     yield from ("# Balls from load ratings", "")
-    by = "By `python validation/catalogue/run.py`."
-    yield f"{by} [The catalogue](../../docs/catalogue.md) says what the numbers mean."
+    yield (
+        "By `python validation/catalogue/run.py`. [The catalogue](../../docs/catalogue.md) says what the numbers mean."
+    )
     yield ""
     yield f"f0 differs from the table of ISO 76 by at most {static:.3f}, f_c from that of ISO 281 by {dynamic:.3f};"
     yield "the tables are rounded to 0.1."
     yield from ("", "## Against balls that others print or measured", "")
-    own = {
-        maker: {check.designation: check.candidates[0] for check in deep if check.maker == maker} for maker in SPREADS
-    }
+    outside = {row["designation"]: float(row["outside_mm"]) for row in read(ROWS / "deep_groove.csv")}
     groups = {
         "most makers": hits,
-        "most makers, outside diameter from 22 mm": [hit for hit in hits if hit.outside >= 22],
-        "most makers, below 22 mm": [hit for hit in hits if hit.outside < 22],
-        **{f"{maker} alone": compare_balls(found) for maker, found in own.items()},
-        "most makers, without penalties": compare_balls(supported(without_priors)),
+        "most makers, outside diameter from 22 mm": [hit for hit in hits if outside[hit.designation] >= 22],
+        "most makers, below 22 mm": [hit for hit in hits if outside[hit.designation] < 22],
     }
+    for maker in SPREADS:
+        own = {check.designation: check.candidates[0] for check in deep if check.maker == maker}
+        groups[f"{maker} alone"] = compare_balls(own)
+    groups["most makers, without penalties"] = compare_balls(supported(without_priors))
     heads = ("balls from", "rows", "count right", "both right", "bearings", "both right")
     yield from markdown(heads, (_hits_row(name, some) for name, some in groups.items()))
     yield from ("", "Both right: the count, and the diameter within 0.6 %. Misses:", "")
@@ -385,7 +359,7 @@ def report(deep: Sequence[Check], angular: Sequence[Check], without_priors: Sequ
         if not check.agrees and check.grade != "D":
             best, listed = check.candidates[0], check.listed
             written = "none" if listed is None else f"{listed[0]} x {listed[1]:.3f} mm"
-            words = f"here {best.count} x {best.diameter:.3f} mm, better by {check.excess:.1f}"
+            words = f"here {best.count} x {best.diameter:.3f} mm, better by {check.listed_excess:.1f}"
             yield f"- {check.maker} {check.designation}: {written}; {words}"
 
 
@@ -393,33 +367,28 @@ def _against_catalogue(kind: str, checks: Sequence[Check]) -> Iterator[tuple[obj
     groups = Counter((check.maker, check.grade) for check in checks)
     for (maker, grade), number in sorted(groups.items()):
         group = [check for check in checks if (check.maker, check.grade) == (maker, grade)]
-        clear = sum(not check.agrees and check.excess > CLEAR for check in group)
+        clear = sum(not check.agrees and check.listed_excess > CLEAR for check in group)
         yield f"{maker}, {kind}", grade, number, sum(check.agrees for check in group), clear
-
-
-def row_of(check: Check) -> dict[str, object]:
-    """What catalogue.csv has of a bearing."""
-    best = check.candidates[0]
-    row = {name: getattr(check, name) for name in ("maker", "designation", "grade")}
-    row |= {"count": best.count, "diameter_mm": str(best.diameter), "score": f"{best.score:.2f}"}
-    if check.listed:
-        count, diameter = check.listed
-        own = score_of(check.candidates, count, diameter)
-        row |= {"catalogue_count": count, "catalogue_diameter_mm": str(diameter)}
-        row |= {"catalogue_score": f"{own:.2f}"} if math.isfinite(own) else {}
-    for second in check.candidates[1:2]:
-        row |= {
-            "next_count": second.count,
-            "next_diameter_mm": str(second.diameter),
-            "next_score": f"{second.score:.2f}",
-        }
-    return row
 
 
 COLUMNS = (
     *("maker", "designation", "grade", "catalogue_count", "catalogue_diameter_mm"),
     *("count", "diameter_mm", "score", "catalogue_score", "next_count", "next_diameter_mm", "next_score"),
 )
+
+
+def row_of(check: Check) -> dict[str, object]:
+    """What catalogue.csv has of a bearing."""
+    row: dict[str, object] = {name: getattr(check, name) for name in COLUMNS[:3]}
+    for candidate, before in zip(check.candidates[:2], ("", "next_"), strict=False):
+        row |= {f"{before}count": candidate.count, f"{before}diameter_mm": str(candidate.diameter)}
+        row[f"{before}score"] = f"{candidate.score:.2f}"
+    if check.listed:
+        count, diameter = check.listed
+        row |= {"catalogue_count": count, "catalogue_diameter_mm": str(diameter)}
+        own = check.excess(count, diameter) + check.candidates[0].score
+        row |= {"catalogue_score": f"{own:.2f}"} if math.isfinite(own) else {}
+    return row
 
 
 def main(out: Out = HERE) -> None:

@@ -7,7 +7,6 @@ writes cold.md and draws cold.png into this folder.
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
@@ -24,65 +23,50 @@ TEMPERATURES = (*range(-30, 40, 10), 40, 60, 80, 100)  # degC
 FLOODED = Variation(starvation=1.0)
 
 
-class Cold(NamedTuple):
-    """One temperature of the oil; torques in N mm."""
-
-    temperature: float  # degC
-    left: float  # of rolling, by the replenishment factor
-    torque: float
-    low: float  # ends of the 95 % interval
-    high: float
-    flooded: float
-    makers: dict[str, float]  # by formula; NaN where it does not hold
-
-
-def at(temperature: float) -> Cold:
-    """The bearing at one temperature, degC."""
+def at(temperature: float) -> dict[str, float]:
+    """The bearing at one temperature, degC: torques in N mm, NaN where a formula does not hold."""
     scene = load_scene(BEARING, radial_load=LOAD, speed=SPEED, oil=OIL, temperature=f"{temperature} degC")
     found = friction_torque(scene)
     ends, exponent = first_order_ends(scene, found), found.limits.replenishment
     low, high = (np.nan, np.nan) if ends is None else 1e3 * ends[:, 0]
+    row = {
+        "temperature": temperature,
+        "left": 1.0 if exponent is None else float(np.exp(-exponent[0])),  # of rolling, by the replenishment factor
+        "torque": 1e3 * float(found.torque.total[0]),
+        "low": low,  # ends of the 95 % interval
+        "high": high,
+        "flooded": 1e3 * float(friction_torque(scene, variation=FLOODED).torque.total[0]),
+    }
     makers: dict[str, float] = {}
     for name, values in scene_band(scene).values.items():
         makers.setdefault(name.partition(",")[0], 1e3 * float(values[0]))
-    return Cold(
-        temperature=temperature,
-        left=1.0 if exponent is None else float(np.exp(-exponent[0])),
-        torque=1e3 * float(found.torque.total[0]),
-        low=low,
-        high=high,
-        flooded=1e3 * float(friction_torque(scene, variation=FLOODED).torque.total[0]),
-        makers=makers,
-    )
+    return row | makers
 
 
-def table(found: list[Cold]) -> Iterator[str]:
+def table(found: list[dict[str, float]]) -> Iterator[str]:
     """Torques over the temperature, Markdown."""
 
-    def shown(torque: float) -> str:
-        return f"{torque:.3g}" if torque < 1e3 else f"{torque:.0f}"
+    def cells(row: dict[str, float]) -> Iterator[str]:
+        for name, value in row.items():
+            if name == "low":
+                yield f"{value:.3g} to {row['high']:.4g}"
+            elif name != "high":
+                form = "" if name == "temperature" else ".2g" if name == "left" else ".3g" if value < 1e3 else ".0f"
+                yield f"{value:{form}}"
 
-    heads = ("oil, degC", "left of rolling", "torque", "95 %", "flooded", *found[0].makers)
-    yield from markdown(
-        heads,
-        (
-            (each.temperature, f"{each.left:.2g}", shown(each.torque), f"{each.low:.3g} to {each.high:.4g}",
-             shown(each.flooded), *map(shown, each.makers.values()))
-            for each in found
-        ),
-    )  # fmt: skip
+    yield from markdown(("oil, degC", "left of rolling", "torque", "95 %", *list(found[0])[5:]), map(cells, found))
 
 
-def draw(found: list[Cold], path: Path) -> None:
+def draw(found: list[dict[str, float]], path: Path) -> None:
     """Torques over the temperature, with the interval as a band."""
     drawn = figure(8, 4.6)
-    axis, places = drawn.subplots(), [each.temperature for each in found]
-    band = ([each.low for each in found], [each.high for each in found])
-    axis.fill_between(places, *band, color="0.88", label="95 % interval")
-    axis.plot(places, [each.torque for each in found], "k-", label="torque: starved as a running bearing")
-    axis.plot(places, [each.flooded for each in found], "k--", label="flooded, as at a start")
-    for name, colour in zip(found[0].makers, ("tab:blue", "tab:orange", "tab:green"), strict=False):
-        axis.plot(places, [each.makers[name] for each in found], ".-", color=colour, lw=1, label=name)
+    axis, columns = drawn.subplots(), {name: [row[name] for row in found] for name in found[0]}
+    places, _, torque, low, high, flooded, *makers = columns.values()
+    axis.fill_between(places, low, high, color="0.88", label="95 % interval")
+    axis.plot(places, torque, "k-", label="torque: starved as a running bearing")
+    axis.plot(places, flooded, "k--", label="flooded, as at a start")
+    for name, values, colour in zip(list(columns)[6:], makers, ("tab:blue", "tab:orange", "tab:green"), strict=False):
+        axis.plot(places, values, ".-", color=colour, lw=1, label=name)
     axis.set(xlabel="temperature of the oil, degC", ylabel="friction torque, N mm", yscale="log")
     axis.grid(which="both", color="0.93")
     axis.legend(fontsize=9)

@@ -43,7 +43,6 @@ class Solves:
     shape: ContactShape
     ratio: dict[str, Array]  # finite elements over Hertz
     uncertainty: dict[str, Array]  # half-width
-    name: list[str]
     solver: set[str]
 
 
@@ -60,6 +59,12 @@ class Fit:
         change = sum(c * monomial(bases, term) for c, term in zip(self.coefficients, self.terms, strict=True))
         return 1 + change - solves.ratio[quantity]
 
+    def errors(self, held_out: Solves, bearings: Solves, quantity: str) -> Iterator[tuple[str, Array]]:
+        """Of contacts that the fit leaves out one by one, and of both sets that it does not know."""
+        yield "left out", self.left_out
+        yield "held out", self.error(held_out, quantity)
+        yield "bearing", self.error(bearings, quantity)
+
 
 def main() -> None:
     fitted = solves_of("fit", "shoulders")
@@ -70,11 +75,11 @@ def main() -> None:
     heads = ("quantity", "terms", "set", "contacts", "Hertz rms", "rms", "95 %", "worst", "solves +-")
     shown = []
     for name, fit in fits.items():
-        sets = (("left out", fitted, fit.left_out), ("held out", held_out, None), ("bearing", bearings, None))
-        for group, solves, known in sets:
-            error = fit.error(solves, name) if known is None else known
+        for (group, error), solves in zip(
+            fit.errors(held_out, bearings, name), (fitted, held_out, bearings), strict=True
+        ):
             each = (rms(solves.ratio[name] - 1), *spread(error).values(), float(np.median(solves.uncertainty[name])))
-            terms = str(len(fit.terms)) if known is not None else ""
+            terms = len(fit.terms) if solves is fitted else ""
             shown.append((name, terms, group, error.size, *(f"{100 * value:.3f} %" for value in each)))
     show(heads, shown, "Relative error of the corrected Hertz against finite elements")
 
@@ -89,7 +94,6 @@ def solves_of(*groups: str) -> Solves:
         shape=ContactShape(**{name: numbers(rows, name) for name in (*BOX, "far_shoulder", "contact_angle")}),
         ratio={name: numbers(rows, name) for name in QUANTITIES},
         uncertainty={name: numbers(rows, f"{name}_uncertainty") for name in QUANTITIES},
-        name=[row["name"] for row in rows],
         solver={row["solver"] for row in rows},
     )
 
@@ -132,10 +136,9 @@ def fit_of(solves: Solves, quantity: str) -> Fit:
     columns = np.column_stack([monomial(bases, term) for term in terms])
     change = solves.ratio[quantity] - 1
     chosen = chosen_terms(columns * weight[:, None], change * weight)
-    kept, *_ = np.linalg.qr(columns[:, chosen] * weight[:, None])
-    coefficients = np.asarray(
-        np.linalg.lstsq(columns[:, chosen] * weight[:, None], change * weight, rcond=None)[0], dtype=np.float64
-    )
+    weighted = columns[:, chosen] * weight[:, None]
+    kept, *_ = np.linalg.qr(weighted)
+    coefficients, *_ = np.linalg.lstsq(weighted, change * weight, rcond=None)
     residual = columns[:, chosen] @ coefficients - change
     leverage = np.sum(kept**2, axis=1)
     return Fit(terms=[terms[n] for n in chosen], coefficients=coefficients, left_out=residual / (1 - leverage))
@@ -193,7 +196,8 @@ def toml(fits: dict[str, Fit], fitted: Solves, held_out: Solves, bearings: Solve
     yield f'solver = "{", ".join(sorted(fitted.solver | held_out.solver | bearings.solver))}"'
     yield f'dates = "{dates[0]} to {dates[-1]}"'
     yield 'fit = "python validation/correction/fit.py"'
-    yield f"solves = {{ fit = {size_of(fitted)}, held_out = {size_of(held_out)}, bearing = {size_of(bearings)} }}"
+    sizes = (np.size(each.shape.size) for each in (fitted, held_out, bearings))
+    yield "solves = {{ fit = {}, held_out = {}, bearing = {} }}".format(*sizes)
     yield ""
     yield "[range]"
     for name, (low, high) in RANGE.items():
@@ -203,21 +207,14 @@ def toml(fits: dict[str, Fit], fitted: Solves, held_out: Solves, bearings: Solve
         yield f"[quantity.{name}]"
         yield f"uncertainty = {uncertainty_of(fit, fitted, name):.2g} # half-width, 95 %"
         yield f"numerical_uncertainty = {np.median(fitted.uncertainty[name]):.2g} # of a solve, median"
-        for label, error in (
-            ("left_out", fit.left_out),
-            ("held_out", fit.error(held_out, name)),
-            ("bearing", fit.error(bearings, name)),
-        ):
-            yield f"{label} = {{ {', '.join(f'{key} = {value:.2g}' for key, value in spread(error).items())} }}"
+        for label, error in fit.errors(held_out, bearings, name):
+            parts = ", ".join(f"{key} = {value:.2g}" for key, value in spread(error).items())
+            yield f"{label.replace(' ', '_')} = {{ {parts} }}"
         yield "terms = ["
         for coefficient, powers in zip(fit.coefficients, fit.terms, strict=True):
             inner = ", ".join(f"{base} = {power}" for base, power in powers.items())
             yield f"  {{ coefficient = {coefficient:.8g}, powers = {{ {inner} }} }},"
         yield "]"
-
-
-def size_of(solves: Solves) -> int:
-    return np.size(solves.shape.size)
 
 
 if __name__ == "__main__":

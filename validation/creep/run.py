@@ -76,17 +76,14 @@ def print_coverage(balls: list[list[Row]]) -> None:
     rows = []
     for first, name in product((0, 1), QUANTITIES):
         grids = GRIDS[first : first + 3]
-        inside, stated, errors = 0, [], []
-        for ball in balls:
-            values = numbers(ball, name).tolist()
-            found = estimate(tuple(values[first : first + 3]), tuple(1 / grid.strips for grid in grids))
-            error = abs(found.value - values[-1])
-            inside += error <= found.uncertainty
-            stated.append(found.uncertainty / abs(values[-1]))
-            errors.append(error / abs(values[-1]))
+        values = np.array([numbers(ball, name) for ball in balls])
+        sizes = tuple(1 / grid.strips for grid in grids)
+        found = [estimate(tuple(each), sizes) for each in values[:, first : first + 3].tolist()]
+        error = np.abs([each.value for each in found] - values[:, -1])
+        stated, true = np.array([each.uncertainty for each in found]), np.abs(values[:, -1])
+        shares = f"{np.median(stated / true):.2%}", f"{np.median(error / true):.3%}"
         span = f"{grids[0].strips} to {grids[-1].strips} strips"
-        of_all = f"{inside} of {len(balls)}", f"{np.median(stated):.2%}", f"{np.median(errors):.3%}"
-        rows.append((span, name, *of_all))
+        rows.append((span, name, f"{np.sum(error <= stated)} of {len(balls)}", *shares))
     for line in markdown(("grids", "quantity", "inside", "median uncertainty", "median error"), rows):
         out.print(line, soft_wrap=True)
 

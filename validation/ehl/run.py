@@ -10,8 +10,8 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Annotated, Any
 
 import numpy as np
@@ -46,31 +46,15 @@ REACH = 12.0  # half lengths a of the contact, or of the thicker film: the rest 
 REFINEMENT = 0.85
 
 
-@dataclass(frozen=True, kw_only=True)
-class Row:
-    """One solution, in Moes's numbers: films over R_x U^(1/2), forces over E' R_x^2 U."""
-
-    number: int  # in the sequence of draws
-    version: int
-    loading: float  # M
-    thickening: float  # L
-    ellipticity: float  # lambda
-    peak_pressure: float  # Hertz's, Pa
-    reach: float  # X/(R_x U^(1/4)); the oil is X/sqrt(lambda) wide to either side
-    central_film: float
-    central_film_uncertainty: float  # relative
-    central_film_order: float
-    minimum_film: float
-    minimum_film_uncertainty: float
-    rolling_force: float  # F^ at this reach
-    rolling_force_uncertainty: float
-    rolling_force_order: float
-    dissipated_force: float
-    seconds: float
-    trouble: str  # why there is no solution
-
-
-COLUMNS = [field.name for field in fields(Row)]
+# One solution, in Moes's numbers: films over R_x U^(1/2), forces over E' R_x^2 U. Its number in the sequence of draws;
+# M, L and lambda; Hertz's pressure, Pa; reach X/(R_x U^(1/4)) of the oil, which is X/sqrt(lambda) wide to either side;
+# relative uncertainties and orders of convergence; F^ at this reach; why there is no solution
+COLUMNS = (
+    *("number", "version", "loading", "thickening", "ellipticity", "peak_pressure", "reach"),
+    *("central_film", "central_film_uncertainty", "central_film_order", "minimum_film", "minimum_film_uncertainty"),
+    *("rolling_force", "rolling_force_uncertainty", "rolling_force_order", "dissipated_force", "seconds", "trouble"),
+)
+Row = SimpleNamespace
 
 
 def drawn(count: int, *, seed: int = SEED) -> Array:
@@ -113,30 +97,25 @@ def solved(task: tuple[int, tuple[float, float, float]]) -> Iterator[dict[str, A
     contact = contact_of(*point)
     assert contact is not None
     begun = time.perf_counter()
-    given = dict(
-        zip(("number", "version", "loading", "thickening", "ellipticity"), (number, VERSION, *point), strict=True)
-    )
-    given |= {
-        "peak_pressure": contact.peak_pressure,
-        "reach": contact.reach.ahead / (RADIUS * contact.relative_speed**0.25),
-    }
+    row: dict[str, Any] = dict.fromkeys(COLUMNS, np.nan) | dict(zip(COLUMNS, (number, VERSION, *point), strict=False))
+    row["peak_pressure"] = contact.peak_pressure
+    row["reach"] = contact.reach.ahead / (RADIUS * contact.relative_speed**0.25)
     try:
         film = numerical_film(contact, refinement=REFINEMENT)
     except ConvergenceError as trouble:
-        missing = {field.name: np.nan for field in fields(Row)}
-        yield missing | given | {"seconds": time.perf_counter() - begun, "trouble": str(trouble)}
+        yield row | {"seconds": time.perf_counter() - begun, "trouble": str(trouble)}
         return
-    for name, scale in (("central_film", contact.film_scale), ("minimum_film", contact.film_scale),
-                        ("rolling_force", contact.force_scale)):  # fmt: skip
+    scales = dict.fromkeys(("central_film", "minimum_film"), contact.film_scale)
+    for name, scale in (scales | {"rolling_force": contact.force_scale}).items():
         part = getattr(film, name)
-        given |= {name: part.value / scale, f"{name}_uncertainty": part.total, f"{name}_order": part.order or np.nan}
-    del given["minimum_film_order"]
-    given["dissipated_force"] = film.dissipated_force.value / contact.force_scale
-    yield given | {"seconds": time.perf_counter() - begun, "trouble": ""}
+        row |= {name: part.value / scale, f"{name}_uncertainty": part.total, f"{name}_order": part.order or np.nan}
+    del row["minimum_film_order"]
+    row["dissipated_force"] = film.dissipated_force.value / contact.force_scale
+    yield row | {"seconds": time.perf_counter() - begun, "trouble": ""}
 
 
 def known() -> list[Row]:
-    """The rows of this version in the table."""
+    """The rows of this version in the table, with COLUMNS as attributes."""
     kinds: dict[str, Any] = dict.fromkeys(COLUMNS, float) | {"number": int, "version": int, "trouble": str}
     rows = [Row(**{name: kinds[name](text) for name, text in row.items()}) for row in read(TABLE)]
     return [row for row in rows if row.version == VERSION]

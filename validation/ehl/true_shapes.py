@@ -34,8 +34,8 @@ Row = dict[str, object]
 
 def row_of(race: str, quantity: str, values: tuple[Estimate, Estimate], seconds: tuple[float, float]) -> Row:
     """One quantity in SI; values, seconds : on half spaces, and on meshed bodies."""
-    changes = [new / old - 1 for old, new in zip(*(each.values for each in values), strict=True)]
-    cells = (*(each.value for each in values), f"{changes[-1]:+.5f}", f"{abs(changes[-1] - changes[-2]):.5f}")
+    *_, before, change = (new / old - 1 for old, new in zip(*(each.values for each in values), strict=True))
+    cells = (*(each.value for each in values), f"{change:+.5f}", f"{abs(change - before):.5f}")
     return dict(zip(HEAD[1:], (race, quantity, *cells, *(f"{each:.1f}" for each in seconds)), strict=True))
 
 

@@ -75,12 +75,7 @@ def mean_curve(kind: str, points: int, surfaces: int, *, jobs: int) -> dict[str,
     """One curve of the table; pressures rise."""
     todo = [(kind, points, SEED + number) for number in range(surfaces)]
     with ProcessPoolExecutor(jobs) as workers:
-        done = track(
-            workers.map(gaps_and_areas, todo),
-            total=surfaces,
-            description=f"{kind}, {points} points a length",
-            console=progress,
-        )
+        done = track(workers.map(gaps_and_areas, todo), f"{kind}, {points} points", total=surfaces, console=progress)
         gap, area = np.moveaxis(np.array(list(done))[:, ::-1], 2, 0)
     return {
         "kind": kind,
@@ -134,8 +129,10 @@ def against_published() -> bool:
     allowed = np.array([FLOOR + standard_error * sd_gap / gap, FLOOR + standard_error * sd_area / area])
     differences = np.array([gaps / gap - 1, areas / area - 1])
     columns = (pressure, gaps, gap, differences[0], allowed[0], areas, area, differences[1], allowed[1])
-    _show("published", zip(*columns, strict=True), "Stored gaussian curve against the independent code")
-    return _judged(bool(np.all(np.abs(differences) < allowed)))
+    agrees = bool(np.all(np.abs(differences) < allowed))
+    return _judged(
+        agrees, "published", zip(*columns, strict=True), "Stored gaussian curve against the independent code"
+    )
 
 
 def against_tamaas(*, periodic: bool) -> bool:
@@ -147,16 +144,14 @@ def against_tamaas(*, periodic: bool) -> bool:
     if not periodic:
         half = np.concatenate([heights, heights[::-1]])
         heights = np.concatenate([half, half[:, ::-1]], axis=1)
-    rows = []
-    agrees = True
+    rows, agrees = [], True
     others = tamaas_contacts(heights, [pressure * slope for pressure in TAMAAS_PRESSURES])
     for pressure, state, (gap, area) in zip(TAMAAS_PRESSURES, states, others, strict=True):
-        differences = state.mean_gap / gap - 1, state.area_fraction / area - 1
-        agrees &= abs(differences[0]) < SAME_GAP and abs(differences[1]) < SAME_AREA
-        by_area = (state.area_fraction, area, differences[1], SAME_AREA)
-        rows.append((pressure, state.mean_gap, gap, differences[0], SAME_GAP, *by_area))
-    _show("Tamaas", rows, f"One surface of 200 by 200 points, {'periodic' if periodic else 'mirrored'}")
-    return _judged(agrees)
+        off, off_area = state.mean_gap / gap - 1, state.area_fraction / area - 1
+        agrees &= abs(off) < SAME_GAP and abs(off_area) < SAME_AREA
+        rows.append((pressure, state.mean_gap, gap, off, SAME_GAP, state.area_fraction, area, off_area, SAME_AREA))
+    title = f"One surface of 200 by 200 points, {'periodic' if periodic else 'mirrored'}"
+    return _judged(agrees, "Tamaas", rows, title)
 
 
 def print_mirror_effect() -> None:
@@ -186,14 +181,11 @@ def tamaas_contacts(heights: Array, pressures: list[float]) -> Iterator[tuple[fl
         yield float(gap.mean() - gap[touching].mean()), float(touching.mean())
 
 
-def _show(other: str, rows: Iterable[tuple[float, ...]], title: str) -> None:
-    """Pressures, and gap and area: ours, theirs, difference and what is allowed."""
+def _judged(agrees: bool, other: str, rows: Iterable[tuple[float, ...]], title: str) -> bool:
+    """Print pressures, and gap and area: ours, theirs, difference and what is allowed; whether both agree."""
     heads = ("p/(E* slope)", *(head for what in ("gap", "area") for head in (what, other, "difference", "allowed")))
     form = ("g", *2 * (".4f", ".4f", "+.2%", ".2%"))
     show(heads, ([f"{value:{each}}" for value, each in zip(row, form, strict=True)] for row in rows), title)
-
-
-def _judged(agrees: bool) -> bool:
     out.print("Agrees within the tolerances\n" if agrees else "DIFFERS by more than a tolerance\n")
     return agrees
 

@@ -8,16 +8,14 @@ conclusions for the formula, and draws film.png into this folder.
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import NamedTuple
 
 import numpy as np
-import typer
-from scipy.optimize import brentq
 
 from analytic.contact.rolling_contact import elliptic_contact
 from analytic.oil.ehl_fit import film_correction, regime_of
-from analytic.oil.film import FILM_FACTORS, FITTED_ELLIPTICITY, FORMULA_UNCERTAINTY, Inflow, central_film
-from validation.study import PUBLISHED, figure, out, run, save, show
+from analytic.oil.film import FILM_FACTORS, FORMULA_UNCERTAINTY, Inflow, central_film
+from validation.study import PUBLISHED, Out, figure, out, run, save, show
 
 HERE = Path(__file__).parent
 DATA = PUBLISHED / "film_measured_25C.csv"
@@ -35,6 +33,16 @@ INPUT_UNCERTAINTIES = {"viscosity": 0.02, "pressure_viscosity": 0.15, "load": 0.
 SPEED_UNCERTAINTY = 0.01  # relative, standard, assumed too
 SCATTER_SPEEDS, SCATTER = (0.05, 0.1), (1.1e-9, 18e-9)  # m/s, m: stated up to the first and above the second
 LEAST_SPEED = 0.02  # m/s: below, films of 15 nm and less scatter
+
+
+class Spread(NamedTuple):
+    """How measured films lie about the computed ones: ln(D/S), with the errors of inputs and measurement."""
+
+    points: int
+    bias: float  # exp of the mean: measured over computed film
+    deviation: float  # standard deviation
+    root_mean_square: float
+    covered: int  # points within FILM_FACTORS
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -63,7 +71,7 @@ class Comparison:
         """E/D."""
         return self.error / self.measured
 
-    def spread(self, rows: np.ndarray) -> "Spread":
+    def spread(self, rows: np.ndarray) -> Spread:
         """Of these points; rows : bool, (n,)."""
         log_ratio = np.log(self.measured / self.computed)[rows]
         low, high = np.log(FILM_FACTORS)
@@ -74,23 +82,6 @@ class Comparison:
             root_mean_square=float(np.sqrt(np.mean(log_ratio**2))),
             covered=int(np.sum((low <= log_ratio) & (log_ratio <= high))),
         )
-
-
-@dataclass(frozen=True, kw_only=True)
-class Spread:
-    """How measured films lie about the computed ones: ln(D/S), with the errors of inputs and measurement."""
-
-    points: int
-    bias: float  # exp of the mean: measured over computed film
-    deviation: float  # standard deviation
-    root_mean_square: float
-    covered: int  # points within FILM_FACTORS
-
-
-def main(folder: Annotated[Path, typer.Option("--out", help="Folder for film.png.")] = HERE) -> None:
-    found = compare()
-    report(found)
-    draw(found, folder / "film.png")
 
 
 def film(speed: np.ndarray, **changed: float) -> np.ndarray:
@@ -130,45 +121,34 @@ def report(found: Comparison) -> None:
         error, *uncertainties = (100 * part[row] / d for part in parts)
         ratio = abs(error) / uncertainties[-1]
         note = "within u_val" if ratio <= 1 else "within 2 u_val" if ratio <= 2 else "beyond 2 u_val"
-        rows.append((
-            f"{found.speed[row]:.4f}", f"{1e9 * d:.1f}", f"{1e9 * found.computed[row]:.1f}", f"{error:+.1f}",
-            *(f"{each:.1f}" for each in uncertainties), f"{ratio:.2f}", note if found.judged[row] else "scatters",
-        ))  # fmt: skip
+        lengths = f"{found.speed[row]:.4f}", f"{1e9 * d:.1f}", f"{1e9 * found.computed[row]:.1f}", f"{error:+.1f}"
+        judgement = f"{ratio:.2f}", note if found.judged[row] else "scatters"
+        rows.append((*lengths, *(f"{each:.1f}" for each in uncertainties), *judgement))
     show(("u, m/s", "D, nm", "S, nm", "E/D, %", "u_D, %", "u_input, %", "u_val, %", "|E|/u_val", ""), rows)
-    judged = found.judged
+    judged, fast = found.judged, found.speed >= SCATTER_SPEEDS[1]
     relative, ratio = found.relative[judged], np.abs(found.error / found.uncertainty)[judged]
     measured_power, computed_power = (
         np.polyfit(np.log(found.speed[judged]), np.log(values[judged]), 1)[0]
         for values in (found.measured, found.computed)
     )
-    fast = found.speed >= SCATTER_SPEEDS[1]
-    coefficient = brentq(
-        lambda value: np.mean(film(found.speed[fast], pressure_viscosity=value) / found.measured[fast]) - 1, 5e-9, 5e-8
-    )
-    lines = (
+    out.print(
         f"{judged.sum()} of {judged.size} points are judged, {LEAST_SPEED:g} m/s and faster; "
-        f"{np.sum(ratio <= 1)} lie within u_val, {np.sum(ratio <= 2)} within 2 u_val.",
+        f"{np.sum(ratio <= 1)} lie within u_val, {np.sum(ratio <= 2)} within 2 u_val."
+    )
+    out.print(
         f"E/D: mean {100 * relative.mean():+.1f} %, from {100 * relative.min():+.1f} to {100 * relative.max():+.1f} %; "
         f"at {SCATTER_SPEEDS[1]:g} m/s and faster {100 * found.relative[fast].mean():+.1f} +- "
-        f"{100 * found.relative[fast].std(ddof=1):.1f} %.",
-        f"Power of speed: measured {measured_power:.3f}, computed {computed_power:.3f}.",
-        f"A pressure-viscosity coefficient of {coefficient:.2e} 1/Pa would take the mean E away there; it is not used.",
-        *(
+        f"{100 * found.relative[fast].std(ddof=1):.1f} %."
+    )
+    out.print(f"Power of speed: measured {measured_power:.3f}, computed {computed_power:.3f}.")
+    for words, some in (("All", judged | True), ("Judged", judged), ("Slower, not judged", ~judged)):
+        spread = found.spread(some)
+        out.print(
             f"{words}: {spread.points} films, D/S {spread.bias:.3f} on average, ln(D/S) has the standard deviation "
             f"{spread.deviation:.3f} and the root mean square {spread.root_mean_square:.3f}; {spread.covered} of "
             f"{spread.points} within {FILM_FACTORS[0]:.2f} to {FILM_FACTORS[1]:.2f}."
-            for words, spread in (
-                ("All measured films", found.spread(np.full_like(judged, True))),
-                ("Judged", found.spread(judged)),
-                ("Slower, kept out of the judgement", found.spread(~judged)),
-            )
-        ),
-        f"The formula carries {FORMULA_UNCERTAINTY:g} as its standard deviation of ln(film).",
-        f"Ellipticity 1 is the edge of the fit ({FITTED_ELLIPTICITY[0]:g} to {FITTED_ELLIPTICITY[1]:g}), and a race "
-        "has 0.03 to 0.07: how the formula goes with ellipticity remains unvalidated.",
-    )
-    for line in lines:
-        out.print(line)
+        )
+    out.print(f"The formula carries {FORMULA_UNCERTAINTY:g} as its standard deviation of ln(film).")
 
 
 def draw(found: Comparison, path: Path) -> None:
@@ -190,6 +170,12 @@ def draw(found: Comparison, path: Path) -> None:
     errors.set(xlabel="entrainment speed, m/s", ylabel="E/D, %", ylim=(-80, 100))
     errors.legend(frameon=False)
     save(drawn, path)
+
+
+def main(folder: Out = HERE) -> None:
+    found = compare()
+    report(found)
+    draw(found, folder / "film.png")
 
 
 if __name__ == "__main__":

@@ -1,15 +1,13 @@
-"""Every hard case: right, refused or wrong. python -m validation.hard.run [--write]
+"""Every hard case: right, refused or wrong. python -m validation.hard.run [--write]"""
 
---write stores the record that reports cite, fembearing/check/hard_cases.json.
-"""
-
-import argparse
 import json
+import sys
 from collections import Counter
 from datetime import UTC, datetime
 from importlib.metadata import version
+from typing import Annotated
 
-from rich.console import Console
+import typer
 from rich.progress import track
 
 from analytic.torque import MODEL_VERSION
@@ -17,18 +15,17 @@ from fembearing.check.hard_record import RECORD
 from fembearing.plain_types import plain
 from validation.hard.case import outcome_of
 from validation.hard.table import HARD_CASES
+from validation.study import out, progress, run
 
 
-def main() -> int:
+def main(
+    write: Annotated[bool, typer.Option("--write", help=f"Store {RECORD.name}, which reports cite.")] = False,
+) -> None:
     """Print every case, and the counts; the status is 1 where one is wrong."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--write", action="store_true", help="store the record that reports cite")
-    write = parser.parse_args().write
-    progress = Console(stderr=True)
     outcomes = [outcome_of(case) for case in track(HARD_CASES, "hard cases", console=progress)]
-    out = Console(highlight=False, soft_wrap=True, markup=False)
     for each in outcomes:
-        out.print(f"{each.outcome:8}{each.case}" + (f": {each.detail}" if each.outcome == "wrong" else ""))
+        words = f"{each.outcome:8}{each.case}" + (f": {each.detail}" if each.outcome == "wrong" else "")
+        out.print(words, soft_wrap=True)
     count = Counter(each.outcome for each in outcomes)
     out.print(
         f"{len(outcomes)} hard cases: {count['right']} right, {count['refused']} refused as they should be, "
@@ -42,8 +39,8 @@ def main() -> int:
             "outcomes": plain(outcomes),
         }
         RECORD.write_text(json.dumps(record, indent=1) + "\n", "utf-8")
-    return int(count["wrong"] > 0)
+    sys.exit(int(count["wrong"] > 0))
 
 
 if __name__ == "__main__":
-    raise SystemExit(main())
+    run(main)

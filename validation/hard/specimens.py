@@ -3,14 +3,13 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from analytic.contact.geometry import race_contact
 from analytic.result import FrictionTorque
-from analytic.scene import Bearing, Contact, Decision, Material, Operation, Scene
+from analytic.scene import Bearing, Contact, Decision, Material, Operation
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 
@@ -36,66 +35,39 @@ contact_angle = {{ rule = "solved" }}
 axial_load = "{load}"
 {speed_key} = "{speed}"
 """
+SCENE_6205 = load_scene("6205-dry")  # the built-in one, with a friction coefficient
+BEARING = SCENE_6205.bearing
+STEEL = BEARING.ball_material
+INCOMPRESSIBLE, NEARLY_INCOMPRESSIBLE = (replace(STEEL, poisson_ratio=ratio) for ratio in (0.4999, 0.49))
+PEEK = Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="the catalog's")
+CERAMIC = Material(name="Si3N4", youngs_modulus=310e9, poisson_ratio=0.27, density=3200.0, source="the case's")
+BRONZE = Material(name="bronze", youngs_modulus=110e9, poisson_ratio=0.34, density=8800.0, source="the case's")
 
 
-@cache
-def scene_6205() -> Scene:
-    return load_scene("6205-dry")
-
-
-def bearing() -> Bearing:
-    """The built-in 6205 with a friction coefficient."""
-    return scene_6205().bearing
-
-
-def with_clearance(clearance: float, *, of: Bearing | None = None) -> Bearing:
+def with_clearance(clearance: float, *, of: Bearing = BEARING) -> Bearing:
     """A bearing, the 6205, with its outer ring opened to a diametral clearance, m; negative is preload."""
-    given = bearing() if of is None else of
-    touching = given.inner.bottom_radius + given.ball_diameter
-    return replace(given, outer=replace(given.outer, bottom_radius=touching + clearance / 2))
+    touching = of.inner.bottom_radius + of.ball_diameter
+    return replace(of, outer=replace(of.outer, bottom_radius=touching + clearance / 2))
 
 
 def with_conformity(conformity: float) -> Bearing:
     """The 6205 with both grooves of this conformity, r_g/D."""
-    radius, races = conformity * bearing().ball_diameter, (bearing().inner, bearing().outer)
-    inside, outside = (replace(race, groove_radius=radius) for race in races)
-    return replace(bearing(), inner=inside, outer=outside)
+    radius = conformity * BEARING.ball_diameter
+    inside, outside = (replace(race, groove_radius=radius) for race in (BEARING.inner, BEARING.outer))
+    return replace(BEARING, inner=inside, outer=outside)
 
 
 def of_materials(ball: Material, race: Material) -> Bearing:
     """The 6205 of other materials, its balls as heavy as before."""
-    inside, outside = (replace(each, material=race) for each in (bearing().inner, bearing().outer))
-    return replace(bearing(), ball_material=ball, inner=inside, outer=outside)
+    inside, outside = (replace(each, material=race) for each in (BEARING.inner, BEARING.outer))
+    return replace(BEARING, ball_material=ball, inner=inside, outer=outside)
 
 
-def inner(*, load: float = BALL_LOAD, material: Material | None = None, conformity: float | None = None) -> Contact:
+def inner(*, load: float = BALL_LOAD, material: Material = STEEL, conformity: float | None = None) -> Contact:
     """The ball on the inner race of the 6205; `material` is that of both bodies, `conformity` is r_g/D."""
-    contact = race_contact(bearing(), "inner", contact_angle=ANGLE, ball_load=load)
-    if material is not None:
-        contact = replace(contact, ball_material=material, race_material=material)
-    if conformity is not None:
-        contact = replace(contact, groove_radius=2 * conformity * contact.ball_radius)
-    return contact
-
-
-def incompressible() -> Material:
-    return replace(bearing().ball_material, poisson_ratio=0.4999)
-
-
-def nearly_incompressible() -> Material:
-    return replace(bearing().ball_material, poisson_ratio=0.49)
-
-
-def peek() -> Material:
-    return Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="the catalog's")
-
-
-def ceramic() -> Material:
-    return Material(name="Si3N4", youngs_modulus=310e9, poisson_ratio=0.27, density=3200.0, source="the case's")
-
-
-def bronze() -> Material:
-    return Material(name="bronze", youngs_modulus=110e9, poisson_ratio=0.34, density=8800.0, source="the case's")
+    contact = race_contact(BEARING, "inner", contact_angle=ANGLE, ball_load=load)
+    contact = replace(contact, ball_material=material, race_material=material)
+    return contact if conformity is None else replace(contact, groove_radius=2 * conformity * contact.ball_radius)
 
 
 def torque_6205(
@@ -105,7 +77,7 @@ def torque_6205(
     operation = Operation(
         axial_load=np.array([axial_load]), inner_speed=np.array([speed]), radial_load=np.array([radial_load])
     )
-    return friction_torque(replace(scene_6205(), operation=operation, effects=AS_HERTZ, **changed))
+    return friction_torque(replace(SCENE_6205, operation=operation, effects=AS_HERTZ, **changed))
 
 
 def parsed(tables: str = "", **entries: str) -> float:

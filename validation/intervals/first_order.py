@@ -20,7 +20,7 @@ from analytic.prediction.first_order import first_order_ends
 from analytic.prediction.prediction import predict
 from analytic.torque import friction_torque
 from validation.benchmarks.random_scenes import random_scene
-from validation.study import Row, numbers, out, run, show, write
+from validation.study import Out, Row, numbers, out, run, show, write
 
 HERE = Path(__file__).parent
 CLOSE = 0.1  # of an end
@@ -33,6 +33,7 @@ COLUMNS = (
 
 def compared(seed: int, samples: int) -> Row:
     """Ends to first order over those of samples, the relative standard errors of these, and seconds of both."""
+    row = {"seed": str(seed)}
     try:
         scene = random_scene(np.random.default_rng(seed))
         nominal = friction_torque(scene)
@@ -40,15 +41,14 @@ def compared(seed: int, samples: int) -> Row:
         ends = first_order_ends(scene, nominal)
         seconds = perf_counter() - begun
         if ends is None:
-            return {"seed": str(seed), "trouble": "an input at its end leaves no torque"}
-        total = predict(scene, samples=samples, workers=1)
+            return row | {"trouble": "an input at its end leaves no torque"}
+        found = predict(scene, samples=samples, workers=1)
     except FembearingError as problem:
-        return {"seed": str(seed), "trouble": str(problem)}
-    interval = total.total
-    low, high = ends[:, 0] / (interval.low[0], interval.high[0])
-    values = (1e3 * nominal.torque.total[0], low, high, interval.low_error[0] / interval.low[0],
-              interval.high_error[0] / interval.high[0], seconds, total.seconds)  # fmt: skip
-    return {"seed": str(seed), **{name: f"{each:.4g}" for name, each in zip(COLUMNS[1:-1], values, strict=True)}}
+        return row | {"trouble": str(problem)}
+    low, high, total = found.total.low[0], found.total.high[0], 1e3 * nominal.torque.total[0]
+    errors = found.total.low_error[0] / low, found.total.high_error[0] / high
+    values = (total, ends[0, 0] / low, ends[1, 0] / high, *errors, seconds, found.seconds)
+    return row | {name: f"{each:.4g}" for name, each in zip(COLUMNS[1:-1], values, strict=True)}
 
 
 def report(rows: list[Row], samples: int) -> None:
@@ -73,7 +73,7 @@ def main(
     scenes: Annotated[int, typer.Option(help="Number of random scenes.")] = 25,
     samples: Annotated[int, typer.Option(help="Samples of each.")] = 1024,
     seed: Annotated[int, typer.Option(help="Of the first scene.")] = 900,
-    folder: Annotated[Path, typer.Option("--out", help="Folder of first_order.csv.")] = HERE,
+    folder: Out = HERE,
 ) -> None:
     rows = []
     for number in range(seed, seed + scenes):

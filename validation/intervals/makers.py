@@ -5,7 +5,7 @@ The 95 % interval of the total by `first_order_ends`, with the spreads that it s
 the spin-downs [Balan2015], which were measured; and beside the formulas of SKF, Palmgren, ISO 15312 and FAG, which were
 not: they are fits to unpublished tests, and differ among themselves by factors. Bearings are taken evenly from those of
 the catalogue that have constants and the grades printed, A or B, which are 180. They run under 0.05 C radial and under
-0.02 C0 axial as in validation/catalogue/torque.py; the moment that seats an angular contact bearing is in ours only. A
+0.02 C0 axial; the moment that seats an angular contact bearing is in ours only. A
 share near 95 % would not prove the interval; a small one says that model or formula is off by more than inputs explain.
 It writes makers.csv and makers.png into this folder, in two minutes.
 """
@@ -25,9 +25,8 @@ from analytic.makers import case_of, scene_band
 from analytic.prediction.first_order import first_order_ends
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
-from validation.catalogue.torque import CASES, GRADES, scene_at
 from validation.measured import run as measured
-from validation.measured.fag import fag_torque
+from validation.measured.makers import GRADES, LOADS, fag_torque, scene_at
 from validation.study import Out, Row, figure, numbers, run, save, show, write
 
 HERE = Path(__file__).parent
@@ -94,7 +93,7 @@ def coverage(rows: Sequence[Row]) -> Iterator[tuple[str, ...]]:
     """Shares inside, and the width of the intervals, by load and source."""
     for words, torque, ours, low, high in rig_coverage():
         yield "thrust rig", words, *_counts(torque, low, high), _median(torque / ours), _median(high / low)
-    for case in CASES:
+    for case in LOADS:
         for key, name in MAKERS.items():
             own = [row for row in rows if row["case"] == case and row.get(key) and row.get("low")]
             if own:
@@ -117,7 +116,7 @@ def draw(rows: Sequence[Row]) -> Figure:
     """All over the computed torque: the interval, and the formulas."""
     drawn = figure(10, 7)
     panels = drawn.subplots(2, 1, sharex=True, sharey=True)
-    for axes, case in zip(panels, CASES, strict=True):
+    for axes, case in zip(panels, LOADS, strict=True):
         own = [row for row in rows if row["case"] == case and row.get("low")]
         own.sort(key=lambda row: float(row["torque"]))
         ours = numbers(own, "torque")
@@ -130,14 +129,14 @@ def draw(rows: Sequence[Row]) -> Figure:
         ticks = [0.5, 1, 2, 4]
         axes.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
         axes.minorticks_off()
-        axes.set_title("0.05 C radial" if case == "radial" else "0.02 C0 axial", fontsize=10)
+        axes.set_title(LOADS[case], fontsize=10)
     panels[-1].set_xlabel("computed torque, N mm")
     panels[-1].legend(fontsize=8, ncols=3, loc="upper left")
     return drawn
 
 
 def main(bearings: Annotated[int, typer.Option(help="Number of bearings.")] = 200, out: Out = HERE) -> None:
-    rows = [compared(bearing, case) for case in CASES for bearing in chosen(bearings)]
+    rows = [compared(bearing, case) for case in LOADS for bearing in chosen(bearings)]
     write(rows, out / "makers.csv", COLUMNS, about=("Torques in N mm at 1000 rpm; see makers.py.",))
     save(draw(rows), out / "makers.png", dpi=110)
     heads = ("load", "source", "inside", "below", "above", "source over ours, median", "high over low, median")

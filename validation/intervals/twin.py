@@ -14,7 +14,7 @@ others test them. Plain levels are themselves uncertain by some 0.02 %.
 """
 
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any
@@ -28,10 +28,10 @@ from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.refinement import COMPARED, estimates_with_twin
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
-from fembearing.fem.twin import TwinSolution, twin_on_level
+from fembearing.fem.twin import twin_on_level
 from fembearing.grid_convergence import UNSTEADY, observed_order
 from fembearing.mesh.recipe import load_recipe
-from validation.study import Row, continued, numbers, out, run, show
+from validation.study import Out, Row, continued, numbers, out, run, show
 
 HERE = Path(__file__).parent
 RECIPE = load_recipe("race")
@@ -59,7 +59,7 @@ ORDERS = (2.5, 5.0)  # least and greatest order with which plain levels are extr
 def main(
     contacts: Annotated[int, typer.Option(help="Number of contacts.")] = 240,
     seed: Annotated[int, typer.Option(help="First seed.")] = 50060,
-    folder: Annotated[Path, typer.Option("--out", help="Folder of the table.")] = HERE,
+    folder: Out = HERE,
 ) -> None:
     seeds = {(str(each),): each for each in range(seed, seed + contacts)}
     report(continued(folder / "twin_coverage.csv", COLUMNS, seeds, lambda each: [compared(each)]))
@@ -116,9 +116,8 @@ def compared(seed: int) -> Row:
     contact = random_contact(seed)
     row = {"seed": str(seed), "pair": contact.pair, "ball": contact.ball_material.name}
     row |= {"race": contact.race_material.name, "contact_angle": f"{contact.contact_angle:.3f}"}
-    start = time.process_time()
+    start, solutions, ellipse = time.process_time(), [], expected_semi_axes(contact, geometry="real")
     try:
-        solutions, ellipse = [], expected_semi_axes(contact, geometry="real")
         for level in RECIPE.levels[:3]:
             solution = twin_on_level(contact, recipe=RECIPE, level=level, start=ellipse)
             if solution is None:
@@ -136,21 +135,14 @@ def compared(seed: int) -> Row:
         "axis_ratio": f"{axes[1] / axes[0]:.2f}",
         "shoulder": f"{contact.nearer_shoulder / axes[1]:.2f}",
     }
-    row |= judged(solutions, extrapolated(plain))
-    return row | {"seconds": f"{time.process_time() - start:.1f}", "trouble": ""}
-
-
-def judged(solutions: Sequence[TwinSolution], truth: dict[str, float]) -> Row:
-    """Errors and stated uncertainties from the first two levels, and from the second and third."""
-    row = {}
-    for count in (2, 3):
-        found = estimates_with_twin(solutions[:count])
-        for name in COMPARED:
+    for name, truth in extrapolated(plain).items():
+        for count in (2, 3):  # from the first two levels, and from the second and third
+            found = estimates_with_twin(solutions[:count])[name]
             row |= {
-                f"{name}_error_{count}": f"{found[name].limit / truth[name] - 1:.2e}",
-                f"{name}_stated_{count}": f"{found[name].mesh:.2e}",
+                f"{name}_error_{count}": f"{found.limit / truth - 1:.2e}",
+                f"{name}_stated_{count}": f"{found.mesh:.2e}",
             }
-    return row
+    return row | {"seconds": f"{time.process_time() - start:.1f}", "trouble": ""}
 
 
 def extrapolated(meshes: Sequence[MeshSolution]) -> dict[str, float]:
@@ -167,40 +159,34 @@ def extrapolated(meshes: Sequence[MeshSolution]) -> dict[str, float]:
 def report(rows: list[Row]) -> None:
     solved = [row for row in rows if not row["trouble"]]
     heads = ("quantity", "interval holds", "error, median", "90 %", "worst", "stated, median", "worst error/stated")
-    for level in (2, 3):
-        hold, shown = np.ones(len(solved), dtype=bool), []
-        for name in COMPARED:
-            error, stated = counted(solved, name, level)
-            hold &= ~(error > stated)
-            error, stated = error[~np.isnan(error)], stated[~np.isnan(error)]
-            parts = (*np.quantile(error, (0.5, 0.9, 1.0)), np.median(stated))
-            shares = f"{np.sum(error <= stated)} of {error.size}", *(f"{part:.3%}" for part in parts)
-            shown.append((name.replace("_", " "), *shares, f"{np.max(error / stated):.2f}"))
+    pocket = np.array([row["pair"] == "pocket" for row in solved])
+    errors, stated = (  # (quantities, levels, n); NaN where an error does not count
+        np.array([[numbers(solved, f"{name}_{part}_{level}") for level in (2, 3)] for name in COMPARED])
+        for part in ("error", "stated")
+    )
+    errors = np.abs(errors)
+    errors[COMPARED.index("approach"), :, pocket] = np.nan
+    for number, level in enumerate((2, 3)):
+        shown = []
+        for name, error, width in zip(COMPARED, errors[:, number], stated[:, number], strict=True):
+            counts = ~np.isnan(error)
+            parts = (*np.quantile(error[counts], (0.5, 0.9, 1.0)), np.median(width[counts]))
+            shares = f"{np.sum(error <= width)} of {counts.sum()}", *(f"{part:.3%}" for part in parts)
+            shown.append((name.replace("_", " "), *shares, f"{np.nanmax(error / width):.2f}"))
         show(heads, shown, f"level {level} with twin: {len(solved)} contacts")
+        hold = ~np.any(errors[:, number] > stated[:, number], axis=0)
         out.print(f"all four hold in {hold.sum()} of {hold.size}")
-    for accuracy in ACCURACIES:
-        out.print(f"{accuracy:.2%} asked: {'; '.join(held_at(solved, accuracy))} contacts on the third level")
+    for accuracy in ACCURACIES:  # on the second level, or on the third where the second's is wider than asked
+        second = np.all(stated[:, 0] <= accuracy, axis=0)
+        error, width = (np.where(second, part[:, 0], part[:, 1]) for part in (errors, stated))
+        held = (
+            f"{name.replace('_', ' ')} {np.sum(each <= wide)} of {np.sum(~np.isnan(each))}"
+            for name, each, wide in zip(COMPARED, error, width, strict=True)
+        )
+        out.print(f"{accuracy:.2%} asked: {'; '.join(held)}; {np.sum(~second)} contacts on the third level")
     for row in rows:
         if row["trouble"]:
             out.print(f"seed {row['seed']}, {row['pair']}: {row['trouble']}")
-
-
-def counted(rows: list[Row], name: str, level: int) -> tuple[np.ndarray, np.ndarray]:
-    """Error, NaN where it does not count, and stated uncertainty of a quantity on a level, each (n,)."""
-    pocket = np.array([row["pair"] == "pocket" and name == "approach" for row in rows])
-    error = np.where(pocket, np.nan, np.abs(numbers(rows, f"{name}_error_{level}")))
-    return error, numbers(rows, f"{name}_stated_{level}")
-
-
-def held_at(rows: list[Row], accuracy: float) -> Iterator[str]:
-    """How often each interval holds on the second level, or on the third where the second's is wider than asked."""
-    second = np.all([numbers(rows, f"{name}_stated_2") <= accuracy for name in COMPARED], axis=0)
-    for name in COMPARED:
-        error, stated = (
-            np.where(second, *both) for both in zip(*(counted(rows, name, n) for n in (2, 3)), strict=True)
-        )
-        yield f"{name.replace('_', ' ')} {np.sum(error <= stated)} of {np.sum(~np.isnan(error))}"
-    yield str(np.sum(~second))
 
 
 if __name__ == "__main__":

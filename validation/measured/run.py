@@ -22,11 +22,10 @@ from analytic.loads.numbers import bearing_numbers
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.numerics.records import Record
 from analytic.oil.rolling import HYSTERESIS_LOSS
-from analytic.scene import Array, RollingFormula, Scene
+from analytic.scene import Array, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from validation.measured.anchor import Anchor, first_what_is_missed
-from validation.measured.anchors_page import anchors_page, draw_anchors, write_anchors
+from validation.measured.anchor import Anchor, anchor, anchors_page, draw_anchors, write_anchors
 from validation.measured.makers import sliding_page
 from validation.measured.others import measured_resistances, others
 from validation.measured.page import draw, rig_page
@@ -41,6 +40,10 @@ RPM = (60, 90, 120, 150, 180, 210)
 INERTIA, BALL_INERTIA = 0.03, 0.025
 UNIFORM = 3**-0.5  # standard deviation over half the width of a uniform distribution
 SURFACE_TENSION = 0.03  # N/m, mineral oil, usual
+COLUMNS = (  # of measured.csv
+    *("ball_diameter_mm", "rpm", "runs", "D_uN_m", "S_uN_m", "E_uN_m", "E_over_D", "u_D_uN_m", "u_num_uN_m"),
+    *("u_input_uN_m", "u_val_uN_m", "abs_E_over_u_val", "S_free_balls_uN_m", "free_balls_numerical_95_uN_m"),
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -113,7 +116,7 @@ class Rig:
 
 def main(out: Out = HERE) -> None:
     rigs = [compare(diameter) for diameter in RIGS]
-    anchors = first_what_is_missed([*map(spin_down_anchor, rigs), *others()])
+    anchors = sorted([*map(spin_down_anchor, rigs), *others()], key=lambda each: each.place)
     write_points(rigs, out / "measured.csv")
     draw(rigs, out / "measured.png")
     write_anchors(anchors, out / "anchors.csv")
@@ -125,16 +128,9 @@ def main(out: Out = HERE) -> None:
 
 def spin_down_anchor(rig: Rig) -> Anchor:
     """The comparison as one line among the others."""
-    return Anchor(
-        what=f"torque of three balls of {1e3 * rig.ball_diameter:g} mm between thrust races, {RPM[0]} to {RPM[-1]} rpm",
-        source="spin-downs [Balan2015]",
-        kind="measured",
-        theirs=1e6 * rig.measured,
-        ours=1e6 * rig.computed,
-        unit="uN m",
-        uncertainty=1e6 * rig.validation,
-        worth="tests the resistance to rolling in oil at light loads; sliding hardly counts there",
-    )
+    theirs, ours, uncertainty = (1e6 * each for each in (rig.measured, rig.computed, rig.validation))
+    words = {"ball": 1e3 * rig.ball_diameter, "first": RPM[0], "last": RPM[-1]}
+    return anchor("spin_down", theirs=theirs, ours=ours, uncertainty=uncertainty, **words)
 
 
 def spin_downs(diameter: float) -> Array:
@@ -165,12 +161,6 @@ def compare(diameter: float) -> Rig:
 
 def total(scene: Scene) -> Array:
     return friction_torque(scene).torque.total
-
-
-def with_rolling_formula(scene: Scene, formula: RollingFormula) -> Scene:
-    """The scene with another law of the resistance to rolling."""
-    assert scene.lubricant is not None
-    return replace(scene, lubricant=replace(scene.lubricant, rolling_formula=formula))
 
 
 def half_change(scene: Scene, paths: Sequence[str], uncertainty: float) -> Array:
@@ -217,16 +207,13 @@ def mechanisms(scene: Scene, computed: Array) -> Iterator[tuple[str, Array]]:
     most = replace(scene, hysteresis_loss=HYSTERESIS_LOSS[1])
     yield f"hysteresis with a loss factor of {HYSTERESIS_LOSS[1]:g}, more than in S", total(most) - computed
     yield "Snare's resistance of dry contacts, the whole", snare(scene) + 0 * computed
-    formulas: tuple[tuple[RollingFormula, str], ...] = (
-        ("biboulet", "[Biboulet2010]"),
-        ("houpert", "[Houpert1987]"),
-    )
-    for formula, source in formulas:
-        yield f"rolling by the formula of {source}", total(with_rolling_formula(scene, formula)) - computed
-    drowned = replace(scene, lubricant=replace(scene.lubricant, cavitation_pressure=-1e5))
-    yield "an outlet full of oil that bears 0.1 MPa of tension", total(drowned) - computed
-    starved = replace(scene, lubricant=replace(scene.lubricant, starvation_degree=2.0))
-    yield "starvation, menisci at two semi-axes", total(starved) - computed
+    for words, changed in (
+        ("rolling by the formula of [Biboulet2010]", {"rolling_formula": "biboulet"}),
+        ("rolling by the formula of [Houpert1987]", {"rolling_formula": "houpert"}),
+        ("an outlet full of oil that bears 0.1 MPa of tension", {"cavitation_pressure": -1e5}),
+        ("starvation, menisci at two semi-axes", {"starvation_degree": 2.0}),
+    ):
+        yield words, total(replace(scene, lubricant=replace(scene.lubricant, **changed))) - computed
 
 
 def ball_of(scene: Scene) -> Record:
@@ -257,17 +244,17 @@ def write_points(rigs: list[Rig], path: Path) -> None:
     """One row for each point, uN m."""
     rows: list[dict[str, object]] = []
     for rig in rigs:
-        micro = {
-            "D_uN_m": rig.measured, "S_uN_m": rig.computed, "E_uN_m": rig.error,
-            "E_over_D": rig.error / rig.measured * 1e-6, "u_D_uN_m": rig.measurement, "u_num_uN_m": rig.numerical,
-            "u_input_uN_m": rig.input, "u_val_uN_m": rig.validation,
-            "abs_E_over_u_val": np.abs(rig.error) / rig.validation * 1e-6,
-            "S_free_balls_uN_m": rig.free, "free_balls_numerical_95_uN_m": rig.free_numerical,
+        torques = {
+            "D": rig.measured, "S": rig.computed, "E": rig.error, "u_D": rig.measurement, "u_num": rig.numerical,
+            "u_input": rig.input, "u_val": rig.validation, "S_free_balls": rig.free,
+            "free_balls_numerical_95": rig.free_numerical,
         }  # fmt: skip
+        micro = {f"{name}_uN_m": 1e6 * values for name, values in torques.items()}
+        micro |= {"E_over_D": rig.error / rig.measured, "abs_E_over_u_val": np.abs(rig.error) / rig.validation}
         for point, rpm in enumerate(RPM):
             known = {"ball_diameter_mm": 1e3 * rig.ball_diameter, "rpm": rpm, "runs": int(rig.count[point])}
-            rows.append(known | {name: float(1e6 * part[point]) for name, part in micro.items()})
-    write(rows, path, list(rows[0]), form=".5g")
+            rows.append(known | {name: float(values[point]) for name, values in micro.items()})
+    write(rows, path, COLUMNS, form=".5g")
 
 
 if __name__ == "__main__":

@@ -13,72 +13,32 @@ from pathlib import Path
 import numpy as np
 from scipy.special import erf, erfc, ndtri
 
-from analytic import parse_scene
+from analytic import load_scene
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import contact_modulus
 from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
 from analytic.oil.film import FilmAsymptotes, Inflow, asymptotes_of
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.variation import GAP_SPREAD
-from analytic.scene import Array, Surface
+from analytic.scene import Array, Scene
 from analytic.surface.gap import SMOOTH_GAP, GapNumbers, gap_law
 from analytic.surface.roughness import gap_roughness
-from validation.study import Out, figure, published, run, save, show
+from validation.study import Out, Row, figure, published, run, save, show
 
 HERE = Path(__file__).parent
 FINISHES = ("ground", "ground and honed")
 LAMBDAS = (0.25, 0.5, 0.95, 1.3, 1.8, 2.3, 3.0)
 LOAD = 4.37 * 2000 / 9  # N, of the heaviest of nine balls [Stribeck1907]
 END = GAP_SPREAD * float(ndtri(0.975))  # of model.gap, the upper end of its 95 %
+LAWS = published("load_sharing.csv")  # as they are printed, measured ones first
 SPEEDS = np.geomspace(1e-5, 1e4, 2000)  # m/s, among which that of a film is found
-SCENE = """
-name = "6206"
-tolerance = "5 %"
-[bearing]
-catalog = "6206"
-[operation]
-axial_load = "0 N"
-radial_load = "2 kN"
-inner_speed = "1500 rpm"
-[lubricant]
-name = "ISO VG 46"
-temperature = "70 degC"
-[surface]
-finish = "{}"
-"""
 
 
-@dataclass(frozen=True, kw_only=True)
-class Law:
-    """One row of the table of laws."""
-
-    name: str
-    short: str
-    formula: str
-    first: float  # range of lambda
-    last: float
-    kind: str
-
-    def share(self, film_ratio: Array) -> Array:
-        """s; NaN outside the range. film_ratio : lambda."""
-        names = {"l": film_ratio, "erf": erf, "erfc": erfc, "exp": np.exp, "sqrt": np.sqrt}
-        inside = (self.first <= film_ratio) & (film_ratio <= self.last)
-        return np.where(inside, eval(self.formula, {"__builtins__": {}}, names), np.nan)
-
-
-def laws() -> list[Law]:
-    """As they are printed, measured ones first."""
-    return [
-        Law(
-            name=row["law"],
-            short=row["short"],
-            formula=row["formula"],
-            first=float(row["from"]),
-            last=float(row["to"]),
-            kind=row["kind"],
-        )
-        for row in published("load_sharing.csv")
-    ]
+def share_by(law: Row, film_ratio: Array) -> Array:
+    """s by a printed law, a row of LAWS; NaN outside its range. film_ratio : lambda."""
+    names = {"l": film_ratio, "erf": erf, "erfc": erfc, "exp": np.exp, "sqrt": np.sqrt}
+    inside = (float(law["from"]) <= film_ratio) & (film_ratio <= float(law["to"]))
+    return np.where(inside, eval(law["formula"], {"__builtins__": {}}, names), np.nan)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -86,17 +46,17 @@ class RoughContact:
     """The inner race in one finish."""
 
     finish: str
+    scene: Scene
     contact: ContactNumbers
     gap: GapNumbers
     truncated: GapNumbers  # the other law of the gap
     rms: float  # of both surfaces, m
     slope: float  # rms gradient of both
-    viscosity: float  # Pa s
-    pressure_viscosity: float  # 1/Pa
 
     def film(self, speed: Array) -> FilmAsymptotes:
         """Of smooth surfaces; speed : of entrainment, m/s."""
-        return asymptotes_of(self.contact, Inflow(speed, self.viscosity, self.pressure_viscosity, compressible=True))
+        oil = self.scene.lubricant
+        return asymptotes_of(self.contact, Inflow(speed, oil.viscosity, oil.pressure_viscosity, compressible=True))
 
     def share(self, film_ratio: Array, step: float = 0.0, *, truncated: bool = False) -> Array:
         """s at lambda; step : of model.gap."""
@@ -108,28 +68,27 @@ class RoughContact:
 
 def rough_contact(finish: str) -> RoughContact:
     """A finish of the catalogue."""
-    scene = parse_scene(SCENE.format(finish), origin="the study of load sharing")
-    bearing, oil, surface = scene.bearing, scene.lubricant, scene.surface
-    assert oil is not None
-    assert surface is not None
+    loads = {"radial_load": "2 kN", "speed": "1500 rpm", "oil": "ISO VG 46", "temperature": "70 degC"}
+    scene = load_scene("6206", settings={"surface.finish": finish}, **loads)
+    bearing, roughness = scene.bearing, gap_roughness(scene.surface)
     rolling, transverse = race_curvatures(bearing, "inner", contact_angle=0.0)
-    modulus = contact_modulus(bearing.ball_material, bearing.inner.material)
-    contact = elliptic_contact(curvature_rolling=rolling, curvature_transverse=transverse, load=LOAD, modulus=modulus)
-    roughness = gap_roughness(surface)
-
-    def law(of: Surface) -> GapNumbers:
-        return gap_law(of, roughness, modulus=modulus, bodies=(bearing.ball_material, bearing.inner.material))
-
+    bodies = (bearing.ball_material, bearing.inner.material)
+    modulus = contact_modulus(*bodies)
+    gap, truncated = (
+        gap_law(surface, roughness, modulus=modulus, bodies=bodies)
+        for surface in (scene.surface, replace(scene.surface, gap="truncated"))
+    )
     both = roughness.ball + roughness.race
     return RoughContact(
         finish=finish,
-        contact=contact,
-        gap=law(surface),
-        truncated=law(replace(surface, gap="truncated")),
+        scene=scene,
+        contact=elliptic_contact(
+            curvature_rolling=rolling, curvature_transverse=transverse, load=LOAD, modulus=modulus
+        ),
+        gap=gap,
+        truncated=truncated,
         rms=both.rms_roughness,
         slope=float(np.sqrt(2 * both.slope)),
-        viscosity=oil.viscosity,
-        pressure_viscosity=oil.pressure_viscosity,
     )
 
 
@@ -149,9 +108,9 @@ def report(contacts: list[RoughContact]) -> None:
             ("  interval, high", *_percent(each.share(film_ratio, END))),
             ("  truncated", *_percent(each.share(film_ratio, truncated=True))),
         ]
-    rows += [(law.short, *_percent(law.share(film_ratio))) for law in laws()]
+    rows += [(law["short"], *_percent(share_by(law, film_ratio))) for law in LAWS]
     show(heads, rows, "Share of the load on asperities, %")
-    measured = laws()[1].share(film_ratio)
+    measured = share_by(LAWS[1], film_ratio)
     slopes = [
         (f"{each.finish}, has {each.slope:.4f}", *(f"{s:.2g}" for s in each.slope * measured / each.share(film_ratio)))
         for each in contacts
@@ -171,12 +130,12 @@ def draw(contacts: list[RoughContact], path: Path) -> None:
         low, high = (100 * each.share(film_ratio, step) for step in (-END, END))
         axes.fill_between(film_ratio, low, high, color="C0", alpha=0.2, lw=0, label="95 % of model.gap")
         axes.semilogy(film_ratio, 100 * each.share(film_ratio), color="C0", lw=2, label="product")
-        for number, law in enumerate(laws()):
-            colour, line = styles[law.kind]
-            first_quoted = law.kind == "quoted" and laws()[number - 1].kind != "quoted"
-            label = "quoted laws" if first_quoted else None if law.kind == "quoted" else law.name
-            dashed = "--" if law.kind == "measured friction" and number else line
-            axes.plot(film_ratio, 100 * law.share(film_ratio), color=colour, ls=dashed, lw=1.3, label=label)
+        for number, law in enumerate(LAWS):
+            colour, line = styles[law["kind"]]
+            is_quoted, first = law["kind"] == "quoted", LAWS[number - 1]["kind"] != "quoted"
+            label = "quoted laws" if is_quoted and first else None if is_quoted else law["law"]
+            dashed = "--" if law["kind"] == "measured friction" and number else line
+            axes.plot(film_ratio, 100 * share_by(law, film_ratio), color=colour, ls=dashed, lw=1.3, label=label)
         axes.set(title=each.finish, xlabel="lambda, smooth film over rms height", xlim=(0, 3), ylim=(0.01, 110))
         axes.grid(alpha=0.25)
     drawn.axes[0].set_ylabel("load on asperities, %")

@@ -9,7 +9,7 @@ the unit of a torque:
 - mean magnitude of the moment about the bearing's axis. Its sign changes and its mean is 0. It is no loss either.
 """
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -35,23 +35,6 @@ HELD_BALLS: dict[str, Decision] = {"cage_dynamics": "on", "ball_dynamics": "off"
 SPAN, SPANS = 10, 8000  # time steps in a span, and spans: for the mean magnitude of an alternating moment
 FREE_SEEDS, FREE_DURATION = 2, 0.05  # of balls and cage together, which take a hundred times as long; s
 SEEDS, DURATION = 8, 0.1  # many short motions: the largest force of one scatters at low speed; s, after as long a start
-
-
-@dataclass(frozen=True, kw_only=True)
-class CagePoint:
-    """The cage at one speed; SI. Low and high are those of the seeds."""
-
-    cage_torque: float  # power of sliding over the speed of the ring: a loss
-    impact_torque: float  # power lost in impacts over the speed of the ring: a loss, no part of a friction torque
-    cage_moments: float  # mu (sum N) r: friction moments about the balls' centres, sum of magnitudes
-    slip_share: float  # mean sliding speed, weighted with the force, over the speed of the balls' surface; 1 at rest
-    cage_axial_moment: float  # mean magnitude of the balls' moment on the cage about the bearing's axis
-    cage_force: float  # sum of the normal forces of all pockets, mean
-    cage_max_force: float  # largest of one ball in a run, median of the seeds
-    cage_max_force_low: float
-    cage_max_force_high: float
-    pocket_coefficient: float  # of friction of ball on pocket
-    traction_share: float  # of the traction that the races can give a ball, used by the mean force; above 1 it slides
 
 
 def at_finish(scene: Scene, rms_roughness: float) -> Scene:
@@ -123,34 +106,38 @@ def with_moving_cage(scene: Scene, cage: Cage, *, inner_speed: float) -> Scene:
     return replace(scene, cage=cage, operation=operation, effects={**scene.effects, **HELD_BALLS})
 
 
-def cage_at(scene: Scene) -> CagePoint:
-    """The motion of the cage of a scene with one operating point; it must be computed, not its closed form."""
+def cage_at(scene: Scene) -> dict[str, float]:
+    """The motion of the cage of a scene with one operating point, SI; it must be computed, not its closed form."""
     found, cage = friction_torque(scene), scene.cage
     motion, driven = found.cage.motion[0], found.cage.driven[0]
     runs = np.array(motion.block_maxima).reshape(cage.seeds, -1).max(axis=1)
     races = (found.friction_coefficient.inner, found.friction_coefficient.outer)
-    held = min(
+    held = min(  # the most that one race can hold
         float(coefficient[0] * contact.load[0])
         for coefficient, contact in zip(races, (found.inner, found.outer), strict=True)
         if coefficient is not None
     )
     mu = driven.friction_coefficient
     moments = mu * motion.mean_force * driven.ball_radius
-    return CagePoint(
-        cage_torque=motion.torque,
-        impact_torque=motion.damping_torque,
-        cage_moments=moments,
-        slip_share=motion.torque * abs(driven.ring_speed) / (moments * abs(driven.ball_speed)),
-        cage_axial_moment=mean_axial_moment(driven, start=motion.start),
-        cage_force=motion.mean_force,
-        cage_max_force=float(np.median(runs)),
-        cage_max_force_low=float(runs.min()),
-        cage_max_force_high=float(runs.max()),
-        pocket_coefficient=mu,
-        traction_share=traction_share(
-            force=motion.mean_force / driven.ball_count, friction_coefficient=mu, race_friction=held
-        ),
-    )
+    return {
+        "cage_torque": motion.torque,  # power of sliding over the speed of the ring: a loss
+        # Power lost in impacts over the speed of the ring: a loss, no part of a friction torque
+        "impact_torque": motion.damping_torque,
+        "cage_moments": moments,  # mu (sum N) r: friction moments about the balls' centres, sum of magnitudes
+        # Mean sliding speed, weighted with the force, over the speed of the balls' surface; 1 at rest
+        "slip_share": motion.torque * abs(driven.ring_speed) / (moments * abs(driven.ball_speed)),
+        # Mean magnitude of the balls' moment on the cage about the bearing's axis
+        "cage_axial_moment": mean_axial_moment(driven, start=motion.start),
+        "cage_force": motion.mean_force,  # sum of the normal forces of all pockets, mean
+        "cage_max_force": float(np.median(runs)),  # largest of one ball in a run, median of the seeds and their ends
+        "cage_max_force_low": float(runs.min()),
+        "cage_max_force_high": float(runs.max()),
+        "pocket_coefficient": mu,  # of friction of ball on pocket
+        # N (1 + mu)/(2 F): the share of the races' traction F that a ball needs to push the cage with N; above 1 it
+        # slides. Along the orbit both races together hold N. About the ball's own axis they also hold the pocket's
+        # friction mu N, one race forward and one back. So one race has N/2 + mu N/2 and the other N/2 - mu N/2.
+        "traction_share": motion.mean_force / driven.ball_count * (1 + mu) / (2 * held),
+    }
 
 
 def on_free_balls(scene: Scene) -> CageStatistics:
@@ -167,22 +154,6 @@ def mean_axial_moment(driven: DrivenCage, *, start: CageStart) -> float:
     motion = CageMotion(driven, begin=start, seed=0, ramp=DURATION)
     motion.advance(DURATION)
     return float(np.mean([abs(motion.advance(SPAN * motion.step).moment) for _ in range(SPANS)]))
-
-
-def traction_share(*, force: float, friction_coefficient: float, race_friction: float) -> float:
-    """N (1 + mu)/(2 F): the share of the races' traction that a ball needs to push the cage.
-
-    force : N, of ball on pocket, N;  friction_coefficient : mu, there;  race_friction : F, the most that one race can
-        hold, its coefficient times its load, N
-    Along the orbit both races together hold N. About the ball's own axis they also hold the pocket's friction mu N, one
-    race forward and one back. So one race has N/2 + mu N/2 and the other N/2 - mu N/2. Derived here.
-    """
-    return force * (1 + friction_coefficient) / (2 * race_friction)
-
-
-def cage_series(points: list[CagePoint]) -> dict[str, Array]:
-    """The quantities of the cage over speed, SI, each (n,)."""
-    return {each.name: np.array([getattr(point, each.name) for point in points]) for each in fields(CagePoint)}
 
 
 def mixed_coefficient(scene: Scene, cage: Cage, *, force: Array) -> Array:

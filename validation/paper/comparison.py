@@ -4,31 +4,31 @@ Every reading has a friction torque, in which the cage counts with the power of 
 the balls' centres, which are no loss, are compared with the paper's cage torque beside it.
 """
 
+import tomllib
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from analytic.scene import Array, Scene
+from analytic.contact.rolling_contact import deformed_radius
+from analytic.loads.kinematics import ball_kinematics
+from analytic.scene import Array, Groove, Scene
 from analytic.scenefile.read import load_scene
+from analytic.sliding.as_printed import as_printed_moments
+from analytic.sliding.long_ellipse import FULL_SPIN, microslip_moments
 from analytic.torque import friction_torque
-from validation.paper.cage import ROUGH, RPM, SMOOTH, at_finish, cage_at, cage_scene, cage_series
-from validation.paper.inputs import assumed_inputs
+from validation.paper.cage import COEFFICIENTS, FASTEST, ROUGH, RPM, SLOWEST, SMOOTH, at_finish, cage_at, cage_scene
 from validation.study import SCENES as FILES
 from validation.study import published as published_rows
 
-SCENES = {  # reading -> file and description
-    "as printed": (
-        "6205_paper_as_printed.toml",
-        "equations 2 to 7 and the pocket of table 1 as in the paper, misprints included; other inputs of the races as "
-        "in the calibrated reading",
-    ),
-    "calibrated": (
-        "6205_paper_calibrated.toml",
-        "inputs missing in the paper, chosen to match its race torque and the numbers of its cage",
-    ),
-    "physical": ("6205_physical.toml", "usual inputs, loaded angle, sinh traction, hydrodynamic rolling, a slow start"),
+WORDS_OF_PAGE = tomllib.loads(Path(__file__).with_name("words.toml").read_text("utf-8"))
+SCENES = {  # reading -> file; words.toml describes it
+    "as printed": "6205_paper_as_printed.toml",
+    "calibrated": "6205_paper_calibrated.toml",
+    "physical": "6205_physical.toml",
 }
 UNITS = {"N mm": 1e-3, "N": 1.0}
 MOMENTS = {"cage_torque": "cage_moments", "total_torque": "total_with_moments"}  # the same with moments, no losses
@@ -40,62 +40,42 @@ WORDS = {
     "total_with_moments": "total torque, moments",
     "cage_max_force": "largest cage force",
 }
-MATCH = 1.1  # factor; rounding makes some published values uncertain by 7 %, for example 7 N mm
+ASIDE = 1e-6  # relative distance of both sides from a jump, in load or ratio
 FLAT = 0.1  # relative, lowest to highest value: "minimal impact" or "almost constant" in the paper
 
 Series = Mapping[str, Array]  # over speed, SI, each (n,)
 Stored = dict[str, Any]  # of paper.json
 
 
-@dataclass(frozen=True, kw_only=True)
-class Point:
-    """A number from the paper, SI."""
-
-    quantity: str
-    rms_roughness: float
-    inner_speed: float
-    value: float
-    unit: str  # in which it is shown
-    note: str  # "printed" or "about"
-
-
-def published() -> list[Point]:
-    """The numbers from the paper."""
+def published() -> list[Stored]:
+    """The numbers from the paper, SI."""
     return [
-        Point(
-            quantity=row["quantity"],
-            rms_roughness=float(row["rms_roughness_um"]) * 1e-6,
-            inner_speed=float(row["inner_speed_rpm"]) * RPM,
-            value=float(row["value"]) * UNITS[row["unit"]],
-            unit=row["unit"],
-            note=row["note"],
-        )
+        {
+            "quantity": row["quantity"],
+            "rms_roughness": float(row["rms_roughness_um"]) * 1e-6,
+            "inner_speed": float(row["inner_speed_rpm"]) * RPM,
+            "value": float(row["value"]) * UNITS[row["unit"]],
+            "note": row["note"],  # "printed" or "about"
+        }
         for row in published_rows("paper_torque.csv")
     ]
 
 
 def load(name: str) -> Scene:
-    return load_scene(FILES / SCENES[name][0])
+    return load_scene(FILES / SCENES[name])
 
 
-def compare(name: str, points: list[Point]) -> Stored:
+def compare(name: str) -> Stored:
     """One scene beside the paper; its series by Sq, m."""
     scene = load(name)
-    finishes = {roughness: at_finish(scene, roughness) for roughness in (ROUGH, SMOOTH)}
-    found = {roughness: series(name, finish) for roughness, finish in finishes.items()}
-    compared = [row for point in points for row in beside(point, found[point.rms_roughness])]
-    warnings = (text for finish in finishes.values() for text in friction_torque(finish).warnings)
-    file, kind = SCENES[name]
+    found = {roughness: series(name, at_finish(scene, roughness)) for roughness in (ROUGH, SMOOTH)}
     return {
         "name": name,
-        "kind": kind,
-        "file": file,
+        "kind": WORDS_OF_PAGE["readings"][name],
         "assumed": assumed_inputs(name, scene),
         "series": {f"{roughness:g}": values for roughness, values in found.items()},
-        "beside": compared,
-        "curves": curves(compared),
+        "beside": [row for point in published() for row in beside(point, found[point["rms_roughness"]])],
         "trends": trends(found[ROUGH], found[SMOOTH]),
-        "warnings": list(dict.fromkeys(warnings)),
     }
 
 
@@ -106,7 +86,8 @@ def series(name: str, scene: Scene) -> Series:
     assert inner is not None
     assert outer is not None
     speeds, race = scene.operation.inner_speed, races.torque.race
-    cage = cage_series([cage_at(cage_scene(name, scene, inner_speed=float(speed))) for speed in speeds])
+    points = [cage_at(cage_scene(name, scene, inner_speed=float(speed))) for speed in speeds]
+    cage = {quantity: np.array([point[quantity] for point in points]) for quantity in points[0]}
     return {
         "inner_speed": speeds,
         "race_torque": race,
@@ -118,27 +99,11 @@ def series(name: str, scene: Scene) -> Series:
     }
 
 
-def beside(point: Point, values: Series) -> Iterator[Stored]:
+def beside(point: Stored, values: Series) -> Iterator[Stored]:
     """The reading at a point of the paper; a torque of the cage counts as a power, and then as friction moments."""
-    for name in (point.quantity, *([MOMENTS[point.quantity]] if point.quantity in MOMENTS else [])):
-        computed = float(np.interp(point.inner_speed, values["inner_speed"], values[name]))
-        yield {"point": asdict(point), "ours": name, "computed": computed, "deviation": computed / point.value - 1}
-
-
-def curves(points: list[Stored]) -> list[Stored]:
-    """One curve for each quantity and roughness, in the order of the points; factors : the larger over the smaller."""
-    groups: dict[tuple[str, float], list[float]] = {}
-    for one in points:
-        factor = float(np.exp(abs(np.log1p(one["deviation"]))))
-        groups.setdefault((one["ours"], one["point"]["rms_roughness"]), []).append(factor)
-    return [
-        {"ours": ours, "rms_roughness": sq, "factors": found, "verdict": verdict(max(found))}
-        for (ours, sq), found in groups.items()
-    ]
-
-
-def verdict(worst: float) -> str:
-    return "matched" if worst <= MATCH else f"within a factor of {worst:.3g}"
+    for name in filter(None, (point["quantity"], MOMENTS.get(point["quantity"]))):
+        computed = float(np.interp(point["inner_speed"], values["inner_speed"], values[name]))
+        yield {"point": point, "ours": name, "computed": computed, "deviation": computed / point["value"] - 1}
 
 
 def trends(rough: Series, smooth: Series) -> list[Stored]:
@@ -190,3 +155,108 @@ def _change(values: Array, direction: int) -> Outcome:
 def _rougher_is_more(rough: Series, smooth: Series, quantity: str) -> Outcome:
     ratio = rough[quantity] / smooth[quantity]
     return bool(np.all(ratio > 1)), [f"{ratio.min():.2f} to {ratio.max():.2f} times"]
+
+
+def assumed_inputs(reading: str, scene: Scene) -> dict[str, str]:
+    """Inputs that the paper does not give and the reading assumes, in words; for both finishes."""
+    ball, angle, oil, surface = scene.bearing.ball_material, scene.contact_angle, scene.lubricant, scene.surface
+    assert surface.autocorrelation is not None
+    correlation, hardness = surface.autocorrelation, surface.hardness or ball.hardness or np.nan
+    moving = cage_scene(reading, scene, inner_speed=SLOWEST)
+    assert moving.cage is not None
+    cage, given = moving.cage, moving.contact_angle.rule == "given"
+    sphere = cage.pocket_depth == cage.pocket_diameter / 2
+    return {
+        "0.18 rad, races": f"{'loaded' if angle.rule == 'given' else 'free'} angle",
+        "elasticity": f"{ball.youngs_modulus / 1e9:g} GPa, Poisson {ball.poisson_ratio:g}",
+        "hardness": f"{hardness / 1e9:g} GPa",
+        "viscosity": f"{oil.viscosity:g} Pa s",
+        "pressure-viscosity": f"{oil.pressure_viscosity:g} 1/Pa",
+        "shear stress": f"{oil.traction}, {oil.eyring_stress / 1e6:g} MPa",
+        "boundary friction": f"{surface.boundary_friction:g}",
+        "autocorrelation": f"{correlation.kind}, {correlation.length * 1e6:g} um",
+        "rough surfaces": "one" if surface.ball_rms_roughness == 0 else "two, alike",
+        "hysteresis loss": "none" if scene.hysteresis_loss is None else f"{scene.hysteresis_loss:g}",
+        "spin rule": scene.spin_rule,
+        "equations 2 to 7": scene.microslip,
+        "hydrodynamic rolling": "left out" if scene.effects.get("rolling") == "off" else "computed",
+        "cage, pocket": "one sphere" if sphere else f"two shells, {cage.pocket_depth * 1e3:g} mm deep",
+        "cage, clearance": f"{(cage.pocket_diameter - scene.bearing.ball_diameter) * 1e3:.3g} mm of the diameter",
+        "cage, start": str(cage.start),
+        "cage, angle of the balls' axes": "0.18 rad" if given else "loaded angle for 0.18 rad free",
+        "cage, ball on pocket": "mixed lubrication" if cage.friction_coefficient is None else _coefficients(),
+        "cage, restitution": f"{cage.restitution:g}",
+        "cage, stiffness of a pocket": "Hertz" if cage.pocket_stiffness is None else "given",
+    }
+
+
+def _coefficients() -> str:
+    speeds = f"from {SLOWEST / RPM:.0f} to {FASTEST / RPM:.0f} rpm"
+    pairs = [f"{COEFFICIENTS[sq][0]:g} to {COEFFICIENTS[sq][1]:g} at Sq {sq * 1e6:g} um" for sq in (ROUGH, SMOOTH)]
+    return f"{' and '.join(pairs)}, {speeds}"
+
+
+def table_1(scene: Scene) -> list[tuple[str, str, str]]:
+    """Table 1 of [Paper]: parameter, its value there, and what the readings make of it."""
+    bearing = scene.bearing
+    ours = {
+        "balls": bearing.ball_count,
+        "ball": bearing.ball_mass * 1e3,  # g
+        "steel": bearing.ball_material.density * 4 / 3 * np.pi * bearing.ball_radius**3 * 1e3,  # g, by its volume
+        "cage": scene.cage.mass * 1e3,
+        "diameter": bearing.ball_diameter * 1e3,  # mm
+        "inner": bearing.inner.bottom_radius * 1e3,
+        "outer": bearing.outer.bottom_radius * 1e3,
+        "inner_groove": bearing.inner.groove_radius * 1e3,
+        "outer_groove": bearing.outer.groove_radius * 1e3,
+        "chord": bearing.pitch_diameter * np.sin(np.pi / bearing.ball_count) * 1e3,
+    }
+    return [(name, paper, words.format(**ours)) for name, paper, words in WORDS_OF_PAGE["table_1"]]
+
+
+def printed_jumps(scene: Scene) -> list[Stored]:
+    """Both sides of a spin-to-roll ratio where equations 2 to 7 as printed jump, and the derived ones do not; SI.
+
+    At the scene's first speed: moments of one contact, N m, and the torque of the bearing. Below and above; at a ratio
+    of 0, at it and above.
+    """
+    first = scene.operation.as_series().at(np.array([0]))
+    scene = replace(scene, operation=replace(first, radial_load=0.0, moment=0.0))
+    found, bearing, jumps = friction_torque(scene), scene.bearing, []
+
+    def add(where: str, quantity: str, printed: ArrayLike, derived: ArrayLike) -> None:
+        sides = {name: np.asarray(values).tolist() for name, values in (("printed", printed), ("derived", derived))}
+        jumps.append({"where": where, "quantity": quantity, **sides})
+
+    def surface(groove: Groove) -> Array:
+        return deformed_radius(groove_radius=groove.groove_radius, ball_diameter=bearing.ball_diameter)
+
+    outer = {
+        "friction_force": found.friction_coefficient.outer[0] * found.ball_load[0],
+        "semi_axis_transverse": found.outer.semi_axis_transverse[0],
+    }
+    for where, ratios in (("ratio 0", (0.0, ASIDE)), ("ratio 1/2", (FULL_SPIN - ASIDE, FULL_SPIN))):
+        printed = as_printed_moments(**outer, ball_radius=bearing.ball_radius, spin_to_roll=ratios)
+        derived = microslip_moments(**outer, deformed_radius=surface(bearing.outer), spin_to_roll=ratios)
+        for name, ours, theirs in zip(("M_z", "M_r"), derived, printed, strict=True):
+            add(f"outer contact, {where}", name, theirs, ours)
+    angle = float(found.contact_angle[0])
+    motion = ball_kinematics(1.0, angle, angle, bearing.pitch_diameter, bearing.ball_diameter)
+    # With a very small spin the outer contact resists rolling; at a given angle nothing else in the scene changes.
+    added = float(bearing.ball_count * jumps[1]["printed"][1] * motion.outer_rolling_rate)
+    printed, derived = (
+        float(friction_torque(each).torque.total[0]) for each in (scene, replace(scene, microslip="derived"))
+    )
+    add("bearing, outer ratio 0", "torque", (printed, printed + added), (derived, derived))
+    rate = float(motion.spin_difference / motion.inner_rolling_rate)
+    ratio = rate * float(surface(bearing.inner)) / found.inner.semi_axis_transverse[0]
+    load = float(first.axial_load[0]) * (ratio / FULL_SPIN) ** 3  # b grows as its third root
+    both = replace(  # falling load: the ratio rises
+        scene.operation,
+        axial_load=load * np.array([1 + ASIDE, 1 - ASIDE]),
+        inner_speed=np.repeat(first.inner_speed, 2),
+    )
+    sides = replace(scene, operation=both)
+    printed, derived = (friction_torque(each).torque.total for each in (sides, replace(sides, microslip="derived")))
+    add(f"bearing, inner ratio 1/2 (at {load:.3g} N)", "torque", printed, derived)
+    return jumps

@@ -1,5 +1,6 @@
 """Figures 5 to 9 of [Paper] beside ours. Lines are three readings, marks the numbers that the paper prints."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from analytic.scene import Autocorrelation
 from analytic.surface.roughness import generated_surface
 from validation.paper.cage import ROUGH, RPM, SMOOTH
-from validation.paper.comparison import Point, Series, Stored, load, published
+from validation.paper.comparison import Series, Stored, load, published
 from validation.study import figure as empty
 from validation.study import save
 
@@ -20,7 +21,6 @@ COLOURS = {"as printed": "tab:orange", "calibrated": "tab:blue", "physical": "ta
 MAP_POINTS, MAP_SEED = 256, 5
 MOMENTS = "calibrated, friction moments in place of power"
 LEAST = {"cage_torque": 0.03, "cage_max_force": 0.5, "pocket_coefficient": 0.02, "pocket": 3e-6}  # of logarithmic axes
-Panel = tuple[str, str, float]  # title, quantity, factor from SI
 Readings = dict[str, dict[float, Series]]  # by name and Sq, m
 
 
@@ -65,35 +65,29 @@ def draw_surfaces(autocorrelation: Autocorrelation, path: Path) -> None:
     save(figure, path, dpi=100)
 
 
-def draw_total(readings: Readings, points: list[Point], path: Path) -> None:
+def draw_total(readings: Readings, points: list[Stored], path: Path) -> None:
     """Figure 6."""
-    figure = empty(9.0, 4.4)
-    axes = figure.subplots(1, 2, sharey=True)
+    figure, axes = _of_finishes("total friction torque, N mm")
     for axis, roughness in zip(axes, FINISHES, strict=True):
-        _panel(axis, readings, points, roughness, ("", "total_torque", 1e3))
+        _panel(axis, readings, points, roughness, "total_torque")
         _moments(axis, readings, roughness, "total_with_moments")
-        axis.set(title=f"Sq {roughness * 1e6:g} µm", ylim=(0, 70))
-    axes[0].set_ylabel("total friction torque, N mm")
-    _legend(figure, axes[0])
-    save(figure, path, dpi=100)
+        axis.set(ylim=(0, 70))
+    _finish(figure, path, axes[0])
 
 
 def draw_coefficients(readings: Readings, path: Path) -> None:
     """Figure 7; the paper has no numbers for it."""
     figure = empty(10.0, 4.2)
     axes = figure.subplots(1, 3)
-    panels: list[Panel] = [
-        ("(a) ball on outer race", "outer_coefficient", 1.0),
-        ("(b) ball on inner race", "inner_coefficient", 1.0),
-        ("(c) ball on cage", "pocket_coefficient", 1.0),
-    ]
-    for axis, (title, quantity, _) in zip(axes, panels, strict=True):
+    titles = {"outer": "(a) ball on outer race", "inner": "(b) ball on inner race", "pocket": "(c) ball on cage"}
+    for axis, (part, title) in zip(axes, titles.items(), strict=True):
         for name, one in readings.items():
-            if quantity != "pocket_coefficient" and name == "as printed":
+            if part != "pocket" and name == "as printed":
                 continue  # the races of this reading have the coefficients of the calibrated one
             for sq, style in ((ROUGH, "-"), (SMOOTH, "--")):
-                axis.plot(one[sq]["inner_speed"] / RPM, one[sq][quantity], style, color=COLOURS[name], marker=".",
-                          label=f"{name}, Sq {sq * 1e6:g} µm")  # fmt: skip
+                label = f"{name}, Sq {sq * 1e6:g} µm"
+                values = one[sq][f"{part}_coefficient"]
+                axis.plot(one[sq]["inner_speed"] / RPM, values, style, color=COLOURS[name], marker=".", label=label)
         _speeds(axis)
         axis.set(title=title, ylim=(0, 0.12))
     axes[2].set(yscale="log", ylim=(LEAST["pocket_coefficient"], 0.2), yticks=(0.02, 0.05, 0.1, 0.2))
@@ -101,62 +95,50 @@ def draw_coefficients(readings: Readings, path: Path) -> None:
     axes[2].yaxis.set_minor_formatter("")
     _off_scale(axes[2], readings, "pocket_coefficient", ROUGH, "", 1.0)
     axes[0].set_ylabel("friction coefficient")
-    _legend(figure, axes[2])
-    save(figure, path, dpi=100)
+    _finish(figure, path, axes[2])
 
 
-def draw_parts(readings: Readings, points: list[Point], path: Path) -> None:
+def draw_parts(readings: Readings, points: list[Stored], path: Path) -> None:
     """Figure 8."""
     figure = empty(10.0, 6.6)
     axes = figure.subplots(2, 3, sharex=True)
-    panels: list[Panel] = [
-        ("(a) balls on races", "race_torque", 1e3),
-        ("(b) balls on cage", "cage_torque", 1e3),
-        ("(c) bearing", "total_torque", 1e3),
-    ]
+    titles = {"race": "(a) balls on races", "cage": "(b) balls on cage", "total": "(c) bearing"}
     for row, roughness in zip(axes, FINISHES, strict=True):
-        for axis, panel in zip(row, panels, strict=True):
-            _panel(axis, readings, points, roughness, panel)
-            if panel[1] == "cage_torque":
-                _moments(axis, readings, roughness, "cage_moments")
+        for axis, (part, title) in zip(row, titles.items(), strict=True):
+            _panel(axis, readings, points, roughness, f"{part}_torque")
+            if part != "race":
+                _moments(axis, readings, roughness, "cage_moments" if part == "cage" else "total_with_moments")
+            if part == "cage":
                 axis.set(yscale="log", ylim=(LEAST["cage_torque"], 20))
                 axis.yaxis.set_major_formatter("{x:g}")
-                _off_scale(axis, readings, panel[1], roughness, "N mm", 1e3)
+                _off_scale(axis, readings, "cage_torque", roughness, "N mm", 1e3)
             else:
                 axis.set(ylim=(0, 70))
-                if panel[1] == "total_torque":
-                    _moments(axis, readings, roughness, "total_with_moments")
-            axis.set(title=f"{panel[0]}, Sq {roughness * 1e6:g} µm")
+            axis.set_title(f"{title}, Sq {roughness * 1e6:g} µm")
             axis.set_xlabel(axis.get_xlabel() if roughness == SMOOTH else "")
         row[0].set_ylabel("friction torque, N mm")
-    _legend(figure, axes[0, 1], axes[0, 2])
-    save(figure, path, dpi=100)
+    _finish(figure, path, axes[0, 1], axes[0, 2])
 
 
-def draw_forces(readings: Readings, points: list[Point], path: Path) -> None:
+def draw_forces(readings: Readings, points: list[Stored], path: Path) -> None:
     """Figure 9."""
-    figure = empty(9.0, 4.4)
-    axes = figure.subplots(1, 2, sharey=True)
+    figure, axes = _of_finishes("largest force of a ball on the cage, N")
     for axis, roughness in zip(axes, FINISHES, strict=True):
         for name, one in readings.items():
             values = one[roughness]
             middle, low, high = (values[f"cage_max_force{end}"] for end in ("", "_low", "_high"))
-            axis.errorbar(values["inner_speed"] / RPM, middle, yerr=(middle - low, high - middle), marker=".",
-                          color=COLOURS[name], capsize=3, lw=1.5, label=name)  # fmt: skip
+            style = {"marker": ".", "color": COLOURS[name], "capsize": 3, "lw": 1.5, "label": name}
+            axis.errorbar(values["inner_speed"] / RPM, middle, yerr=(middle - low, high - middle), **style)
         _marks(axis, points, "cage_max_force", roughness, 1.0)
-        _speeds(axis)
-        axis.set(title=f"Sq {roughness * 1e6:g} µm", yscale="log", ylim=(LEAST["cage_max_force"], 400))
+        axis.set(yscale="log", ylim=(LEAST["cage_max_force"], 400))
         axis.yaxis.set_major_formatter("{x:g}")
         _off_scale(axis, readings, "cage_max_force", roughness, "N", 1.0)
-    axes[0].set_ylabel("largest force of a ball on the cage, N")
-    _legend(figure, axes[0])
-    save(figure, path, dpi=100)
+    _finish(figure, path, axes[0])
 
 
 def draw_pocket(calibrated: dict[float, Series], mixed: list[Stored], path: Path) -> None:
     """The coefficient of ball on pocket that the paper's cage torque needs, and mixed lubrication's; by roughness."""
-    figure = empty(9.0, 4.4)
-    axes = figure.subplots(1, 2, sharey=True)
+    figure, axes = _of_finishes("friction coefficient, ball on pocket")
     for axis, roughness in zip(axes, FINISHES, strict=True):
         values = calibrated[roughness]
         speeds = values["inner_speed"] / RPM
@@ -167,29 +149,37 @@ def draw_pocket(calibrated: dict[float, Series], mixed: list[Stored], path: Path
                 colour = COLOURS["calibrated" if name.startswith("calibrated") else "physical"]
                 style = "--" if "table 1" in name else "-"
                 axis.plot(speeds, one["coefficient"], style, color=colour, marker=".", label=name)
+        axis.set(yscale="log", ylim=(LEAST["pocket"], 1))
+    _finish(figure, path, axes[0], columns=2)
+
+
+def _of_finishes(label: str) -> tuple[Figure, Sequence[Axes]]:
+    """Two panels over speed, one for each finish."""
+    figure = empty(9.0, 4.4)
+    axes = figure.subplots(1, 2, sharey=True)
+    for axis, roughness in zip(axes, FINISHES, strict=True):
         _speeds(axis)
-        axis.set(title=f"Sq {roughness * 1e6:g} µm", yscale="log", ylim=(LEAST["pocket"], 1))
-    axes[0].set_ylabel("friction coefficient, ball on pocket")
-    _legend(figure, axes[0], columns=2)
-    save(figure, path, dpi=100)
+        axis.set_title(f"Sq {roughness * 1e6:g} µm")
+    axes[0].set_ylabel(label)
+    return figure, axes
 
 
-def _panel(axis: Axes, readings: Readings, points: list[Point], roughness: float, panel: Panel) -> None:
-    _, quantity, factor = panel
+def _panel(axis: Axes, readings: Readings, points: list[Stored], roughness: float, quantity: str) -> None:
+    """A torque by all readings, and the paper's."""
     for name, one in readings.items():
         values = one[roughness]
-        axis.plot(values["inner_speed"] / RPM, values[quantity] * factor, color=COLOURS[name], marker=".", label=name)
-    _marks(axis, points, quantity, roughness, factor)
+        axis.plot(values["inner_speed"] / RPM, values[quantity] * 1e3, color=COLOURS[name], marker=".", label=name)
+    _marks(axis, points, quantity, roughness, 1e3)
     _speeds(axis)
 
 
-def _marks(axis: Axes, points: list[Point], quantity: str, roughness: float, factor: float) -> None:
+def _marks(axis: Axes, points: list[Stored], quantity: str, roughness: float, factor: float) -> None:
     """The paper's numbers: filled as printed, hollow where its text says about."""
     for note, fill, label in (("printed", "k", "paper, number printed"), ("about", "w", "paper, printed as about")):
-        mine = [one for one in points if (one.quantity, one.rms_roughness, one.note) == (quantity, roughness, note)]
-        if mine:
-            axis.plot([one.inner_speed / RPM for one in mine], [one.value * factor for one in mine], "ko", mfc=fill,
-                      mew=1.5, ms=7, label=label, zorder=4)  # fmt: skip
+        wanted = {"quantity": quantity, "rms_roughness": roughness, "note": note}
+        if mine := [one for one in points if wanted.items() <= one.items()]:
+            speeds, values = [one["inner_speed"] / RPM for one in mine], [one["value"] * factor for one in mine]
+            axis.plot(speeds, values, "ko", mfc=fill, mew=1.5, ms=7, label=label, zorder=4)
 
 
 def _moments(axis: Axes, readings: Readings, roughness: float, quantity: str) -> None:
@@ -213,12 +203,13 @@ def _speeds(axis: Axes) -> None:
     axis.grid(alpha=0.3)
 
 
-def _legend(figure: Figure, *axes: Axes, columns: int = 3) -> None:
-    """One legend for all panels: the paper's marks first."""
+def _finish(figure: Figure, path: Path, *axes: Axes, columns: int = 3) -> None:
+    """One legend for all panels, the paper's marks first; then write the picture."""
     kept: dict[str, Artist] = {}
     for axis in axes:
         for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
             kept.setdefault(label, handle)
     labels = sorted(kept, key=lambda label: not label.startswith("paper"))  # stable: the rest keeps its order
-    figure.legend([kept[label] for label in labels], labels, loc="outside lower center", ncols=columns, frameon=False,
-                  fontsize=9)  # fmt: skip
+    handles, style = [kept[label] for label in labels], {"frameon": False, "fontsize": 9}
+    figure.legend(handles, labels, loc="outside lower center", ncols=columns, **style)
+    save(figure, path, dpi=100)

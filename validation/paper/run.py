@@ -9,7 +9,6 @@ the page of docs.py, and writes into this folder its pictures paper_*.png and pa
 import json
 import sys
 from collections.abc import Iterator
-from dataclasses import asdict
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -29,11 +28,9 @@ from validation.paper.cage import (
     on_free_balls,
     printed_pocket,
 )
-from validation.paper.comparison import SCENES, compare, load, published
+from validation.paper.comparison import SCENES, compare, load, printed_jumps, table_1
 from validation.paper.docs import page
 from validation.paper.figures import draw_all
-from validation.paper.inputs import table_1
-from validation.paper.printed_jumps import printed_jumps
 from validation.study import Out, run
 
 HERE = Path(__file__).parent
@@ -49,13 +46,12 @@ def main(out: Out = HERE) -> None:
 
 def computed() -> dict[str, Any]:
     """Everything, SI."""
-    readings = [compare(name, published()) for name in SCENES]
+    readings = [compare(name) for name in SCENES]
     free = on_free_balls(cage_scene("calibrated", at_finish(load("calibrated"), SMOOTH), inner_speed=FASTEST))
     return {
-        "paper": "Effect of Surface Roughness on the Friction Moment in a Ball Bearing",
         "readings": readings,
         "mixed_pocket_coefficients": list(mixed_coefficients(readings[1]["series"])),
-        "jumps": [asdict(jump) for jump in printed_jumps(load("as printed"))],
+        "jumps": printed_jumps(load("as printed")),
         "table_1": table_1(load_scene("6205-dry")),
         "free_balls": {  # the calibrated cage at Sq 0.1 um and 500 rpm on balls that it may brake
             name: getattr(free, name) for name in ("max_force", "mean_force", "torque", "race_excess_torque")

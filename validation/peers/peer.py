@@ -1,45 +1,32 @@
-"""The common part of all peers: read a case as JSON from standard input and write the result as JSON.
+"""A peer in a process of its own: read a case as JSON from standard input and write the result as JSON.
 
-Input: a case of `cases.py` and its refinement. Output: the four quantities in SI units, the number of unknowns, seconds
-for imports and for solving, and the peak resident memory; or the reason why the peer was skipped.
+The peer is a module of this folder with a function `solve`, named on the command line. Input: a case of cases.toml and
+its refinement. Output: the four quantities in SI units, the number of unknowns, seconds for imports and for solving,
+and the peak resident memory; or the reason why the peer was skipped.
 """
 
 import json
 import sys
 import time
-from collections.abc import Callable
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-Solve = Callable[[dict[str, Any], int], dict[str, Any]]
 
-
-class SkippedError(Exception):
-    """The peer cannot run on this machine."""
-
-
-def serve(load: Callable[[], Solve]) -> None:
-    """Answer one case. `load` imports the modules of the peer, timed apart from solving, and returns the solver."""
+def answer(peer: str) -> dict[str, Any]:
+    """The answer to a case; a peer that cannot run on this machine raises an ImportError when it is imported."""
     start = time.perf_counter()
     try:
-        solve = load()
-    except ModuleNotFoundError as problem:
-        _write({"skipped": f"{problem.name} is not installed"})
-        return
-    except SkippedError as problem:
-        _write({"skipped": str(problem)})
-        return
+        solve = import_module(f"validation.peers.{peer}").solve
+    except ImportError as problem:
+        return {"skipped": f"{problem.name} is not installed" if problem.name else str(problem)}
     imported = time.perf_counter()
     case = json.load(sys.stdin)
-    answer = solve(case, case["refinement"])
+    found = solve(case, case["refinement"])
     seconds = {"import_seconds": imported - start, "solve_seconds": time.perf_counter() - imported}
-    _write({**answer, **seconds, "memory": _peak_memory()})
-
-
-def _write(answer: dict[str, Any]) -> None:
-    sys.stdout.write(json.dumps(answer) + "\n")
+    return {**found, **seconds, "memory": _peak_memory()}
 
 
 def _peak_memory() -> int | None:
@@ -75,3 +62,7 @@ def peak_pressure(
     terms = np.column_stack([np.ones(inner.sum()), rolling[inner], transverse[inner]])
     fitted = np.linalg.lstsq(terms * weight[:, None], pressure[inner] ** 2 * weight, rcond=None)[0]
     return float(np.sqrt(fitted[0]))
+
+
+if __name__ == "__main__":
+    sys.stdout.write(json.dumps(answer(sys.argv[1])) + "\n")

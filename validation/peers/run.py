@@ -17,27 +17,24 @@ import statistics
 import subprocess
 import sys
 import time
-from dataclasses import asdict
+import tomllib
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from validation.peers.cases import CASES, Case
-
 HERE = Path(__file__).resolve().parent
+CASES = tomllib.loads((HERE / "cases.toml").read_text("utf-8"))
 LIMIT = 600.0  # s, for one process
 NAMES = {
     "ours": "fembearing, finite elements",
     "tamaas": "Tamaas, boundary elements",
     "ngsolve": "NGSolve, finite elements",
-    "calculix": "CalculiX, finite elements",
 }
-# Program, refinements, and those added by --long, of each peer
+# Module, refinements, and those added by --long, of each peer
 LADDERS: dict[str, tuple[str, tuple[int, ...], tuple[int, ...]]] = {
-    "ours": ("ours.py", (1, 2, 3, 4), (6,)),
-    "tamaas": ("tamaas_bem.py", (16, 32, 64, 128, 256), (512,)),
-    "ngsolve": ("ngsolve_contact.py", (1, 2, 3, 4), (6,)),
-    "calculix": ("calculix.py", (1, 2, 3), (4,)),
+    "ours": ("ours", (1, 2, 3, 4), (6,)),
+    "tamaas": ("tamaas_bem", (16, 32, 64, 128, 256), (512,)),
+    "ngsolve": ("ngsolve_contact", (1, 2, 3, 4), (6,)),
 }
 
 
@@ -56,26 +53,26 @@ def main(argv: list[str] | None = None) -> int:
     start = time.perf_counter()
     rows, skipped = [], {}
     for peer in dict.fromkeys(options.peers):
-        program, ordinary, finest = LADDERS[peer]
+        module, ordinary, finest = LADDERS[peer]
         ladder = (ordinary + (finest if options.long else ()))[: options.steps]
         for name, refinement in itertools.product(dict.fromkeys(options.cases), ladder):
-            row = measured(program, CASES[name], refinement, repeats=options.repeats)
+            row = measured(module, CASES[name], refinement, repeats=options.repeats)
             if "skipped" in row:
                 skipped[peer] = row["skipped"]
                 sys.stderr.write(f"{peer} skipped: {row['skipped']}\n")
                 break
             rows.append({"peer": peer, "case": name, "refinement": refinement, **row})
             sys.stderr.write(f"{peer} {name} {refinement}: {row.get('failed') or row['solve_seconds']}\n")
-    from validation.peers.shown import draw, exact_answers, print_table, with_errors
+    from validation.peers.shown import draw, exact_answer, print_table, with_errors
 
-    exact = exact_answers([CASES[name] for name in options.cases])
+    exact = {name: exact_answer(CASES[name]) for name in options.cases}
     result = {
         "command": sys.argv if argv is None else ["run.py", *argv],
         "machine": f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()}, "
         f"Python {platform.python_version()}",
         "versions": versions(),
         "seconds": time.perf_counter() - start,
-        "cases": {name: asdict(CASES[name]) | {"exact": exact[name]} for name in options.cases},
+        "cases": {name: CASES[name] | {"exact": exact[name]} for name in options.cases},
         "rows": list(with_errors(rows, exact)),
         "skipped": skipped,
     }
@@ -88,21 +85,19 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def versions() -> dict[str, str]:
-    """Versions of the installed peers, by package or program."""
+    """Versions of the installed peers, by package."""
     installed = {}
     for package in ("fembearing", "tamaas", "ngsolve"):
         with contextlib.suppress(PackageNotFoundError):
             installed[package] = version(package)
-    with contextlib.suppress(OSError):
-        installed["ccx"] = subprocess.run(["ccx", "-v"], capture_output=True, text=True).stdout.split()[-1]
     return installed
 
 
-def measured(program: str, case: Case, refinement: int, *, repeats: int) -> dict[str, Any]:
-    """One row: the answer of a peer's program, with median seconds and largest memory over its processes."""
+def measured(module: str, case: dict[str, Any], refinement: int, *, repeats: int) -> dict[str, Any]:
+    """One row: the answer of a peer, with median seconds and largest memory over its processes."""
     answers = []
     for _ in range(repeats):
-        answers.append(answer_of(program, case, refinement))
+        answers.append(answer_of(module, case, refinement))
         if "skipped" in answers[-1] or "failed" in answers[-1]:
             return answers[-1]
     clocks = ("import_seconds", "solve_seconds", "process_seconds")
@@ -117,14 +112,13 @@ def measured(program: str, case: Case, refinement: int, *, repeats: int) -> dict
     }
 
 
-def answer_of(program: str, case: Case, refinement: int) -> dict[str, Any]:
-    """The answer of a peer's program to a case, or `skipped` or `failed` with the reason."""
-    question = json.dumps({**asdict(case), "refinement": refinement})
+def answer_of(module: str, case: dict[str, Any], refinement: int) -> dict[str, Any]:
+    """The answer of a peer to a case, or `skipped` or `failed` with the reason."""
+    question = json.dumps({**case, "refinement": refinement})
     start = time.perf_counter()
     try:
-        done = subprocess.run(
-            [sys.executable, HERE / program], input=question, capture_output=True, text=True, timeout=LIMIT
-        )
+        command = [sys.executable, HERE / "peer.py", module]
+        done = subprocess.run(command, input=question, capture_output=True, text=True, timeout=LIMIT)
         lines = done.stdout.splitlines()
         if done.returncode or not lines:
             last = (done.stderr.splitlines() or ["no message"])[-1]

@@ -6,7 +6,6 @@ is taken whether it counts or not.
 
 import json
 import tempfile
-import tomllib
 from functools import cache
 from pathlib import Path
 from typing import Any, Literal
@@ -27,8 +26,8 @@ SWITCHED = ("centrifugal", "gyroscopic", "asperities", "starvation", "inlet_heat
 
 def scene_text(place: tuple[float, ...], *, tolerance: float) -> str:
     """The scene at a place, as a scene file."""
-    text = radial_scene(place[:RADIAL_INPUTS], tolerance=tolerance)
-    document, draw, late = tomllib.loads(text), Draw(place[RADIAL_INPUTS:-3]), Draw(place[-3:])
+    document = radial_scene(place[:RADIAL_INPUTS], tolerance=tolerance)
+    draw, late = Draw(place[RADIAL_INPUTS:-3]), Draw(place[-3:])
     only_thrust, upright, own_friction = late.chance(0.5), late.chance(0.2), late.chance(0.5)
     kind = draw.one_of(*5 * ("radial",), "thrust", "pair", "given", "seats")
     _as_kind(document, kind, draw)

@@ -34,7 +34,7 @@ from rich.progress import track
 from analytic import friction_torque
 from analytic.errors import FembearingError, InputError
 from analytic.result import FrictionTorque
-from analytic.scene import Array, Scene
+from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
 from validation.promises.drawn import INPUTS, LONG_SERIES, scene_text
 from validation.study import Jobs, out, progress, run
@@ -69,19 +69,19 @@ class Drawn:
         return not self.refused and not self.unknown and not np.isnan(self.ratio)
 
 
-def place_of(seed: int) -> tuple[float, ...]:
-    """The numbers that a seed draws."""
-    return tuple(np.random.default_rng(seed).random(INPUTS).tolist())
-
-
 def drawn_scene(seed: int) -> Scene:
     """The scene of a seed, at a tolerance of 1 %."""
-    return parse_scene(scene_text(place_of(seed), tolerance=TOLERANCE), origin=f"seed {seed}")
+    place = tuple(np.random.default_rng(seed).random(INPUTS).tolist())
+    return parse_scene(scene_text(place, tolerance=TOLERANCE), origin=f"seed {seed}")
 
 
 def judged(seed: int, torque: Callable[[Scene], FrictionTorque] = friction_torque) -> Drawn:
     """One scene; torque : of a scene."""
-    signal.signal(signal.SIGVTALRM, _give_up)
+
+    def give_up(*_: object) -> None:
+        raise TimeoutError("takes too long")
+
+    signal.signal(signal.SIGVTALRM, give_up)
     started = time.process_time()
     try:
         found = _compared(seed, drawn_scene(seed), torque)
@@ -96,44 +96,36 @@ def judged(seed: int, torque: Callable[[Scene], FrictionTorque] = friction_torqu
     return replace(found, seconds=time.process_time() - started)
 
 
-def _give_up(*_: object) -> None:
-    raise TimeoutError("takes too long")
-
-
 def _line(reason: object) -> str:
     return str(reason).splitlines()[0][:LINE]
 
 
 def _compared(seed: int, scene: Scene, torque: Callable[[Scene], FrictionTorque]) -> Drawn:
-    count = scene.operation.as_series().inner_speed.size
-    results = []
+    count, results = scene.operation.as_series().inner_speed.size, []
     for tolerance in (TOLERANCE, FINE):
         signal.setitimer(signal.ITIMER_VIRTUAL, LONGEST * (MORE if count == LONG_SERIES else 1))
         results.append(torque(replace(scene, tolerance=tolerance)))
-    coarse, fine = results
-    failed = (reason for result in results for reason in result.failures.values())
+    failed = [reason for result in results for reason in result.failures.values()]
     unsettled = [_line(reason) for reason in failed if not isinstance(reason, InputError)]
-    both = ~np.isin(np.arange(count), [*coarse.failures, *fine.failures])
+    found = Drawn(seed=seed, unsettled=f"{len(unsettled)} of {2 * count} points: {unsettled[0]}" if unsettled else "")
+    both = ~np.isin(np.arange(count), [place for result in results for place in result.failures])
     stated = [result.numerical_uncertainty[both] for result in results]
     if not all(np.isfinite(each).all() for each in stated):
         return Drawn(seed=seed, unknown=f"numerical uncertainty {stated[0]} and {stated[1]}")
-    error, allowed = _apart(coarse.torque.total[both], fine.torque.total[both], *stated)
+    if not both.any():
+        return replace(found, ratio=np.nan)
+    coarse, fine = (result.torque.total[both] for result in results)
+    size = np.where(fine == 0, 1.0, fine)  # a bearing at rest
+    error, allowed = np.abs(coarse - fine) / size, (stated[0] * coarse + stated[1] * fine) / size
     ratio = np.where(error > ROUND_OFF, error / np.maximum(allowed, ROUND_OFF), 0.0)
-    worst = int(ratio.argmax()) if ratio.size else None
-    return Drawn(
-        seed=seed,
-        ratio=np.nan if worst is None else float(ratio[worst]),
-        error=0.0 if worst is None else float(error[worst]),
-        stated=0.0 if worst is None else float(stated[0][worst]),
-        alone=_alone(scene, coarse, seed % count, torque) if count > 1 and both[seed % count] else 0.0,
-        unsettled=f"{len(unsettled)} of {2 * count} points: {unsettled[0]}" if unsettled else "",
+    worst, point = int(ratio.argmax()), seed % count
+    return replace(
+        found,
+        ratio=float(ratio[worst]),
+        error=float(error[worst]),
+        stated=float(stated[0][worst]),
+        alone=_alone(scene, results[0], point, torque) if count > 1 and both[point] else 0.0,
     )
-
-
-def _apart(one: Array, other: Array, stated_one: Array, stated_other: Array) -> tuple[Array, Array]:
-    """Difference of two torques, and what both state together, over the second one."""
-    size = np.where(other == 0, 1.0, other)  # a bearing at rest
-    return np.abs(one - other) / size, (stated_one * one + stated_other * other) / size
 
 
 def _alone(scene: Scene, series: FrictionTorque, point: int, torque: Callable[[Scene], FrictionTorque]) -> float:
@@ -149,24 +141,19 @@ def main(
     jobs: Jobs = 2,
 ) -> None:
     """Count the scenes whose stated uncertainty does not hold."""
-    started = time.perf_counter()
+    started, drawn = time.perf_counter(), []
     friction_torque("6205-dry")  # compiles
     with ProcessPoolExecutor(jobs) as pool:
-        drawn = sorted(_followed(pool, range(seed, seed + scenes)), key=lambda each: each.seed)
+        ended = as_completed([pool.submit(judged, each) for each in range(seed, seed + scenes)])
+        for done in track(ended, "scenes", total=scenes, console=progress):
+            drawn.append(done.result())
+            if drawn[-1].ratio > 1:
+                out.print(_outside(drawn[-1]))
+    drawn.sort(key=lambda each: each.seed)
     for line in summary(drawn):
         out.print(line, soft_wrap=True)
     out.print(f"{time.perf_counter() - started:.0f} s, {jobs} processes, seeds {seed} to {seed + scenes - 1}.")
     sys.exit(int(is_broken(drawn)))
-
-
-def _followed(pool: ProcessPoolExecutor, seeds: range) -> Iterator[Drawn]:
-    """Each scene as it ends; one outside is printed at once."""
-    ended = as_completed([pool.submit(judged, each) for each in seeds])
-    for done in track(ended, "scenes", total=len(seeds), console=progress):
-        each = done.result()
-        if each.ratio > 1:
-            out.print(_outside(each))
-        yield each
 
 
 def _outside(each: Drawn) -> str:

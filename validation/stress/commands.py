@@ -1,43 +1,60 @@
 """The command line, run in a process of its own: what it says, how long it takes, and what it leaves.
 
 Whatever its input is, a command ends with a documented status; a failure is one line; no number is silently missing;
-what it writes is whole or absent.
+what it writes is whole or absent. Extreme scenes and damaged files go through every command that takes them.
 """
 
 import csv
 import json
+import math
 import os
 import re
 import resource
 import signal
 import subprocess
 import sys
-from collections.abc import Callable, Mapping, Sequence
+import tempfile
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Timer
 
-from validation.stress.extreme import numbers
-from validation.stress.watched import LARGEST, SLOWEST
+import numpy as np
 
-ROOT = Path(__file__).resolve().parents[2]
+from validation.stress.damage import CYCLE, FEW, INPUTS, MEASURED, damaged_input, place_in
+from validation.stress.extreme import extreme_scene, numbers
+from validation.stress.watched import LARGEST, SLOWEST, Tried
+from validation.study import ROOT
+
 PROGRAM = ("-c", "from fembearing.cli import main; main()")
 DOCUMENTED = (0, 1, 2, 3)
 FAILURES = {2: "input", 3: "not solved", 71: "memory", 74: "input and output"}  # each in one line
 COMPILING, COMPILED_WITHIN = "fembearing: compiling ", 120.0  # s of the processor, once for a machine
-CHATTER = (COMPILING, "fembearing: compiled formulas cannot be kept", "fembearing: warning: ")
-CHATTER += (
-    "fembearing: the cage did not move",
-    "fembearing: there is no picture",
-    "fembearing: the picture ",
-    "dashboard",
+CHATTER = (
+    *(COMPILING, "fembearing: compiled formulas cannot be kept", "fembearing: warning: ", "dashboard"),
+    *("fembearing: the cage did not move", "fembearing: there is no picture", "fembearing: the picture "),
 )
 SOLVED_WITHIN = 120.0  # s of the processor: a film or creep on the grids that its convergence asks for
 RANGE = ("--speed", "0 rpm to 3000 rpm in 3", "--axial-load", "200 N to 900 N in 2")
 DEAF = 600.0  # s of the clock, on a busy machine
 NOT_A_NUMBER = re.compile(r"(?<![\w.-])[-+]?(nan|inf)(?![\w.-])", re.IGNORECASE)
 FOLDER = {"torque.json", "torque.csv", "torque.png"}
+OUTCOMES = {0: "done", 1: "done", 2: "refused", 3: "not solved"}
+READ_MESH = """
+import sys
+from pathlib import Path
+from fembearing.cli.boundary import guarded
+from fembearing.mesh.meshfile import read_body
+sys.exit(guarded(lambda: print(read_body(Path("body.vtu"), name="ball"))))
+"""
+COMMANDS = {  # of a damaged file
+    "mesh": (),
+    "cycle": ("duty", "6205-dry", "cycle.csv", "--out", "out"),
+    "measured torques": ("compare", "6205-dry", "measured.csv", "--samples", str(FEW), "--out", "out"),
+    "grid": ("sweep", "grid.toml", "--out", "out", "--workers", "1"),
+    "height map": ("torque", "scene.toml"),
+}
 
 
 @dataclass(frozen=True)
@@ -125,18 +142,6 @@ def fault_of(done: Run, *, base: float = 0.0, allowed: Sequence[int] = DOCUMENTE
     return ""
 
 
-def face_fault(face: str, done: Run, folder: Path) -> str:
-    """What is wrong with what the command shows or writes, where it has a result."""
-    target = folder / FACES[face].target
-    has_result = done.status in (0, 1) or (done.status == 3 and done.out != "")
-    if not has_result:
-        return f"{target.name} is left of a failure" if os.path.lexists(target) else ""
-    try:
-        return FACES[face].fault(done, target)
-    except (OSError, ValueError) as problem:
-        return f"{face}: {problem}"
-
-
 def _text(done: Run, _: Path) -> str:
     found = NOT_A_NUMBER.search(done.out)
     return f"the text shows {found.group()}" if found else ""
@@ -196,19 +201,66 @@ FACES = {
 
 def _strange(document: object) -> str:
     for place, number in numbers(document):
-        if number != number or abs(number) == float("inf"):
+        if not math.isfinite(number):
             return f"{place} = {number}"
     return ""
 
 
 def _strange_cell(path: Path) -> str:
     with path.open(newline="", encoding="utf-8") as file:
-        for row in csv.reader(line for line in file if not line.startswith("#")):
-            for cell in row:
-                if NOT_A_NUMBER.fullmatch(cell.strip()):
-                    return f"a cell of {path.name} is {cell}"
+        for cell in (cell for row in csv.reader(line for line in file if not line.startswith("#")) for cell in row):
+            if NOT_A_NUMBER.fullmatch(cell.strip()):
+                return f"a cell of {path.name} is {cell}"
     return ""
 
 
 def _refuse(name: str) -> float:
     raise ValueError(f"{name} is no number of JSON")
+
+
+def scenes_through_faces(seeds: Iterable[int], folder: Path, base: float) -> Generator[Tried]:
+    """Extreme scenes, each through another command; base : memory of a command, bytes."""
+    for seed in seeds:
+        text, face = extreme_scene(np.random.default_rng(seed)), list(FACES)[seed % len(FACES)]
+        with tempfile.TemporaryDirectory(dir=folder) as place:
+            (Path(place) / "scene.toml").write_text(text, "utf-8")
+            done, fault = _through(FACES[face], Path(place), base)
+        yield _tried(face, seed, done, fault, base, text.encode())
+
+
+def damaged_through_commands(seeds: Iterable[int], folder: Path, base: float) -> Generator[Tried]:
+    """The commands that read a file of each kind, of scenes all; of a mesh the reader, as no command takes one."""
+    for seed in seeds:
+        given, place = damaged_input(seed, folder), place_in(folder)
+        if given.kind == "height map":
+            name = next(place.iterdir()).name
+            mapped = (INPUTS / "mapped.toml").read_text("utf-8").replace("PATH", name)
+            (place / "scene.toml").write_text(mapped, "utf-8")
+        if given.kind == "scene":
+            face = list(FACES.values())[seed // len(COMMANDS) % len(FACES)]
+            done, fault = _through(face, place, base)
+        else:
+            program = ("-c", READ_MESH) if given.kind == "mesh" else PROGRAM
+            done = run(COMMANDS[given.kind], place, program=program)
+            fault = fault_of(done, base=base)
+        yield _tried(given.kind, seed, done, fault, base, given.content)
+
+
+def _through(face: Face, place: Path, base: float) -> tuple[Run, str]:
+    """A command of the scene in a folder, and what is wrong with how it ended, or with what it shows or writes."""
+    (place / "cycle.csv").write_text(CYCLE, "utf-8")
+    (place / "measured.csv").write_text(MEASURED, "utf-8")
+    done, target = run(face.command, place), place / face.target
+    if fault := fault_of(done, base=base, slowest=face.slowest):
+        return done, fault
+    if done.status not in (0, 1) and not (done.status == 3 and done.out):
+        return done, f"{target.name} is left of a failure" if os.path.lexists(target) else ""
+    try:
+        return done, face.fault(done, target)
+    except (OSError, ValueError) as problem:
+        return done, f"{' '.join(face.command)}: {problem}"
+
+
+def _tried(kind: str, seed: int, done: Run, fault: str, base: float, content: bytes) -> Tried:
+    outcome = fault or OUTCOMES[done.status]
+    return Tried(kind, seed, outcome, done.seconds, max(done.memory - base, 0.0), content if fault else b"")

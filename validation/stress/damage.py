@@ -16,7 +16,7 @@ from pathlib import Path
 import meshio
 import numpy as np
 
-from analytic import catalog, friction_torque, load_scene
+from analytic import friction_torque, load_scene
 from analytic.prediction.duty import cycle_with_torques
 from analytic.scenefile.cycle import read_cycle
 from analytic.scenefile.read import load_by_temperature
@@ -24,12 +24,11 @@ from analytic.standing import worst_standing
 from analytic.surface.heightmap import measure, read_height_map
 from fembearing.check.measured.comparison import compare_measured
 from fembearing.mesh.meshfile import read_body
-from fembearing.plain_types import plain
 from fembearing.sweep.grid import load_grid
-from validation.stress.extreme import require_finite_numbers
+from validation.stress.extreme import SHIPPED, require_finite
 from validation.stress.watched import Input
+from validation.study import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 MOST_CHANGES = 4  # in one file
 FEW = 64  # samples of the interval of a comparison
 JUNK = (
@@ -43,63 +42,37 @@ HEADS = (
     *("duration [s]", "duration [h]", "inner_speed [rad/s]", "axial_load [kN]", "radial_load [lbf]", "torque [N m]"),
     *("temperature [degC]", "uncertainty [%]", "inner_speed", "axial_load [rpm]", "torque []", "[N]", "=1+1 [N]"),
 )
-BYTES = (
-    *(b"\x00", b"\xff\xfe", b"\xef\xbb\xbf", b"\r", b"\n", b"'''", b'"""'),
-    *(b"[", b"]", b"=", b"#", b"{", b"}", b"<", b">"),
-)
-SCENES = (catalog.path("scenes", "6205-dry"), *sorted((ROOT / "validation" / "scenes").glob("*.toml")))
+BYTES = (b"\x00", b"\xff\xfe", b"\xef\xbb\xbf", b"\r", b"\n", b"'''", b'"""', *(bytes([each]) for each in b"[]=#{}<>"))
 MESHES = tuple(sorted((ROOT / "meshes" / "reference").glob("*.vtu")))
-GRID = """
-scene = "6205-dry"
-[axes]
-operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" }
-operation.inner_speed = ["100 rpm", "300 rpm"]
-bearing.inner.conformity = [0.51, 0.53]
-friction.spin_rule = ["balanced", "free"]
-"""
-
-CYCLE = """
-duration [s],inner_speed [rpm],axial_load [N]
-4,900,250
-30,2600,410
-7,0,300
-""".lstrip()
-MEASURED = """
-inner_speed [rpm],axial_load [N],torque [N mm],uncertainty [%]
-310,270,33,3
-700,420,52,4
-""".lstrip()
+INPUTS = Path(__file__).parent / "inputs"
+GRID, CYCLE, MEASURED = (
+    (INPUTS / name).read_text("utf-8") for name in ("damaged_grid.toml", "cycle.csv", "measured.csv")
+)
 
 
-class Files:
-    """Makes damaged inputs; folder : for the files."""
+def place_in(folder: Path) -> Path:
+    """Where the last damaged file of this process is."""
+    return folder / str(os.getpid())
 
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
 
-    @property
-    def place(self) -> Path:
-        """Where the last file of this process is."""
-        return self.folder / str(os.getpid())
-
-    def input(self, seed: int) -> Input:
-        rng = np.random.default_rng(seed)
-        kinds: tuple[tuple[str, Callable[[np.random.Generator], tuple[str, bytes]], Callable[[Path], object]], ...] = (
-            ("scene", changed_scene, read_scene),
-            ("height map", changed_map, lambda path: measure(read_height_map(path, spacing=2e-6))),
-            ("mesh", changed_mesh, lambda path: read_body(path, name="ball")),
-            ("grid", changed_grid, lambda path: load_grid(path).first_scene()),
-            ("cycle", lambda rng: ("cycle.csv", changed_table(CYCLE, rng)), read_duty),
-            ("measured torques", lambda rng: ("measured.csv", changed_table(MEASURED, rng)), read_torques),
-        )
-        kind, change, read = kinds[seed % len(kinds)]
-        name, content = change(rng)
-        if self.place.exists():
-            shutil.rmtree(self.place)
-        self.place.mkdir()
-        path = self.place / name
-        path.write_bytes(content)
-        return Input(kind, content, lambda: read(path))
+def damaged_input(seed: int, folder: Path) -> Input:
+    """A damaged file of one of the kinds, and what reads it."""
+    kinds: tuple[tuple[str, Callable[[np.random.Generator], tuple[str, bytes]], Callable[[Path], object]], ...] = (
+        ("scene", lambda rng: ("scene.toml", changed_scene(rng)), read_scene),
+        ("height map", changed_map, lambda path: measure(read_height_map(path, spacing=2e-6))),
+        ("mesh", changed_mesh, lambda path: read_body(path, name="ball")),
+        ("grid", lambda rng: ("grid.toml", changed_toml(GRID, rng)), lambda path: load_grid(path).first_scene()),
+        ("cycle", lambda rng: ("cycle.csv", changed_table(CYCLE, rng)), read_duty),
+        ("measured torques", lambda rng: ("measured.csv", changed_table(MEASURED, rng)), read_torques),
+    )
+    kind, change, read = kinds[seed % len(kinds)]
+    name, content = change(np.random.default_rng(seed))
+    place = place_in(folder)
+    if place.exists():
+        shutil.rmtree(place)
+    place.mkdir()
+    (place / name).write_bytes(content)
+    return Input(kind, content, lambda: read(place / name))
 
 
 def read_scene(path: Path) -> None:
@@ -108,26 +81,23 @@ def read_scene(path: Path) -> None:
     if scene.has_friction:
         first = {name: np.atleast_1d(value)[:1] for name, value in scene.operation.points.items()}
         result = friction_torque(replace(scene, operation=replace(scene.operation, **first)))
-        require_finite_numbers(plain(result.rows))
+        require_finite(result.rows)
 
 
 def read_duty(path: Path) -> None:
     """Read a duty cycle, and compute its energy."""
     cycle, torques = cycle_with_torques(load_by_temperature("6205-dry"), read_cycle(path))
-    require_finite_numbers(plain((cycle, worst_standing(torques))))
+    require_finite((cycle, worst_standing(torques)))
 
 
 def read_torques(path: Path) -> None:
     """Read measured torques, and compare the torque of a scene with them."""
-    require_finite_numbers(plain(compare_measured(load_scene("6205-dry"), path, samples=FEW)))
+    require_finite(compare_measured(load_scene("6205-dry"), path, samples=FEW))
 
 
-def changed_scene(rng: np.random.Generator) -> tuple[str, bytes]:
-    return "scene.toml", changed_toml(SCENES[rng.integers(len(SCENES))].read_text("utf-8"), rng)
-
-
-def changed_grid(rng: np.random.Generator) -> tuple[str, bytes]:
-    return "grid.toml", changed_toml(GRID, rng)
+def changed_scene(rng: np.random.Generator) -> bytes:
+    """A scene that ships, damaged."""
+    return changed_toml(SHIPPED[rng.integers(len(SHIPPED))].read_text("utf-8"), rng)
 
 
 def changed_toml(text: str, rng: np.random.Generator) -> bytes:

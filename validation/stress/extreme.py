@@ -9,7 +9,6 @@ followed is left alone: that computing is what the user orders.
 import tomllib
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -25,8 +24,9 @@ from fembearing.plain_types import plain
 from validation.promises.drawn import toml
 from validation.promises.radial import RADIAL_INPUTS, radial_scene
 from validation.stress.watched import Input, SilentError
+from validation.study import SCENES
 
-SCENES = Path(__file__).resolve().parents[1] / "scenes"
+SHIPPED = tuple(catalog.path("scenes", name) for name in catalog.names("scenes")) + tuple(sorted(SCENES.glob("*.toml")))
 LEFT_ALONE = ("cage.start", "cage.seeds", "cage.duration", "cage.steps_per_contact", "tolerance", "bearing.kind")
 WITHOUT_MEANING = ("assumed.", "uncertainty.", "report.")  # for the torque
 MOST_CHANGES = 4
@@ -38,37 +38,26 @@ SMALLEST = 1e-12  # of the largest value, beside 0
 def scene_input(seed: int) -> Input:
     """A scene, and its torque."""
     text = extreme_scene(np.random.default_rng(seed))
-    return Input("scene", text.encode(), lambda: torque_of(text))
+    return Input("scene", text.encode(), lambda: require_finite(friction_torque(parse_scene(text, origin="")).rows))
 
 
-def torque_of(text: str) -> None:
-    """Compute the torque of a scene. Raises SilentError where a number of the result is not finite."""
-    result = friction_torque(parse_scene(text, origin="scene"))
-    require_finite_numbers(plain(result.rows))
-
-
-def require_finite_numbers(result: object) -> None:
+def require_finite(result: object) -> None:
     """Raise SilentError for a number that is not finite anywhere in a result."""
-    for place, number in numbers(result):
+    for place, number in numbers(plain(result)):
         if not np.isfinite(number):
             raise SilentError(f"{place} = {number}")
 
 
-def numbers(node: object) -> Iterator[tuple[str, float]]:
+def numbers(node: object, place: str = "") -> Iterator[tuple[str, float]]:
     """All floats in lists and dicts, with their places."""
-    return ((place, value) for place, value in leaves(node) if isinstance(value, float))
-
-
-def leaves(node: object, place: str = "") -> Iterator[tuple[str, object]]:
-    """All values in lists and dicts, with their places."""
     match node:
-        case dict() if node:
+        case dict():
             for name, inside in node.items():
-                yield from leaves(inside, f"{place}.{name}")
-        case list() | tuple() if node:
+                yield from numbers(inside, f"{place}.{name}")
+        case list() | tuple():
             for index, inside in enumerate(node):
-                yield from leaves(inside, f"{place}[{index}]")
-        case _:
+                yield from numbers(inside, f"{place}[{index}]")
+        case float():
             yield place, node
 
 
@@ -91,12 +80,11 @@ def extreme_scene(rng: np.random.Generator) -> str:
 def base(rng: np.random.Generator) -> dict[str, Any]:
     kind = rng.integers(3)
     if kind == 0:
-        return tomllib.loads(radial_scene(rng.random(RADIAL_INPUTS), tolerance=TOLERANCE))
+        return radial_scene(rng.random(RADIAL_INPUTS).tolist(), tolerance=TOLERANCE)
     if kind == 1:
         names = bearing_names()
         return tomllib.loads(template(names[rng.integers(len(names))]))
-    shipped = [catalog.path("scenes", name) for name in catalog.names("scenes")] + sorted(SCENES.glob("*.toml"))
-    document = tomllib.loads(shipped[rng.integers(len(shipped))].read_text("utf-8"))
+    document = tomllib.loads(SHIPPED[rng.integers(len(SHIPPED))].read_text("utf-8"))
     if "cage" in document:
         document["cage"].pop("start", None)  # its motion takes as long as the user likes
     return document

@@ -10,11 +10,11 @@ import tempfile
 import time
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 import fembearing
 from analytic import friction_torque, load_scene
@@ -28,7 +28,7 @@ from fembearing.check.creep.scene_creep import creep_of
 from fembearing.check.film.scene_film import film_of
 from fembearing.report.files import compared_files, duty_files, film_files, write_all, write_creep
 from validation.stress.damage import CYCLE, MEASURED
-from validation.stress.tab import Tab
+from validation.stress.tab import tab
 
 STATM = Path("/proc/self/statm")  # Linux
 PAGE = 4096  # bytes
@@ -36,7 +36,7 @@ WARM = 0.1  # share of the calls before the memory is first measured: they fill 
 LEAST_WARM = 3  # calls: the second contact still fills caches, by some 50 MB
 SPEED = np.array([27.0])  # rad/s
 LOOSE = 0.9  # required accuracy: coarse meshes and grids
-Call = Callable[[int], object]
+LIGHTEST, HEAVIEST = 50.0, 2000.0  # N of thrust
 
 
 def growth_of(function: str, calls: int, *, seconds: float = np.inf) -> tuple[int, float]:
@@ -46,14 +46,17 @@ def growth_of(function: str, calls: int, *, seconds: float = np.inf) -> tuple[in
 
 
 def _measure(function: str, calls: int, seconds: float) -> tuple[int, float]:
-    call = FUNCTIONS[function].calls(calls)
+    scene = replace(load_scene("paper_6205"), cage=None)  # the motion of its cage would take seconds a call
+    loads = np.random.default_rng(calls).permutation(np.geomspace(LIGHTEST, HEAVIEST, calls))  # none twice, in no order
     begun, done = time.monotonic(), 0
 
     def call_until(share: float) -> float:
         """The memory after this share of the calls, or of the time."""
         nonlocal done
         while done < max(share * calls, LEAST_WARM) and time.monotonic() - begun < share * seconds:
-            call(done)
+            operation = replace(scene.operation, axial_load=loads[done : done + 1], inner_speed=SPEED)
+            with tempfile.TemporaryDirectory() as folder:
+                FUNCTIONS[function].call(replace(scene, operation=operation), Path(folder))
             done += 1
         return resident()
 
@@ -62,38 +65,9 @@ def _measure(function: str, calls: int, seconds: float) -> tuple[int, float]:
     return done, gained
 
 
-def oiled() -> Scene:
-    """The built-in scene, without its cage, whose motion would take seconds a call."""
-    return replace(load_scene("paper_6205"), cage=None)
-
-
-def loads(least: float, most: float, calls: int) -> NDArray[np.float64]:
-    """As many loads, N, as calls, none twice and in no order."""
-    return np.random.default_rng(calls).permutation(np.geomspace(least, most, calls))
-
-
-def _loaded(scene: Scene, load: NDArray[np.float64]) -> Scene:
-    return replace(scene, operation=replace(scene.operation, axial_load=load, inner_speed=SPEED))
-
-
-def _of_scene(run: Callable[[Scene, Path], object]) -> Callable[[int], Call]:
-    """Calls of a function of a scene and a folder, which is removed after each."""
-
-    def made(calls: int) -> Call:
-        scene, drawn = oiled(), loads(50.0, 2000.0, calls)
-
-        def call(number: int) -> None:
-            with tempfile.TemporaryDirectory() as folder:
-                run(_loaded(scene, drawn[number : number + 1]), Path(folder))
-
-        return call
-
-    return made
-
-
-def _contact(calls: int) -> Call:
-    scene, drawn = oiled(), loads(50.0, 500.0, calls)
-    return lambda number: fembearing.solve_contact(scene, pair="inner", load=float(drawn[number]), tolerance=LOOSE)
+def _contact(scene: Scene, _: Path) -> None:
+    load = float(scene.operation.axial_load[0]) / 4
+    fembearing.solve_contact(scene, pair="inner", load=load, tolerance=LOOSE)
 
 
 def _film(scene: Scene, folder: Path) -> None:
@@ -120,34 +94,28 @@ def _export(scene: Scene, folder: Path) -> None:
     fembearing.export(scene, to="csv", out=folder / "torque.csv", over=over)
 
 
-def _page(calls: int) -> Call:
-    """Each opens a page of its own."""
-    tab, drawn = Tab(), loads(50.0, 2000.0, calls)
-
-    def call(number: int) -> None:
-        tab.open()
-        tab.shows(template("6206", radial_load=f"{drawn[number]} N"))
-
-    return call
+def _page(scene: Scene, _: Path) -> None:
+    """Each call opens a page of its own."""
+    tab().open()
+    tab().shows(template("6206", radial_load=f"{scene.operation.axial_load[0]} N"))
 
 
-@dataclass(frozen=True)
-class Function:
+class Function(NamedTuple):
     """What is called, and what it may gain."""
 
-    calls: Callable[[int], Call]  # the call of each number, of so many
+    call: Callable[[Scene, Path], object]  # of a scene, and a folder that is removed afterwards
     most: float  # bytes
 
 
 FUNCTIONS = {
-    "friction_torque": Function(_of_scene(lambda scene, _: friction_torque(scene)), 5e6),
+    "friction_torque": Function(lambda scene, _: friction_torque(scene), 5e6),
     "solve_contact": Function(_contact, 50e6),
-    "film": Function(_of_scene(_film), 50e6),
-    "creep": Function(_of_scene(_creep), 50e6),
-    "compare": Function(_of_scene(_compare), 20e6),
-    "duty": Function(_of_scene(_duty), 20e6),
-    "export": Function(_of_scene(_export), 20e6),
-    "draw": Function(_of_scene(lambda scene, folder: fembearing.draw_bearing(scene, out=folder / "a.svg")), 20e6),
+    "film": Function(_film, 50e6),
+    "creep": Function(_creep, 50e6),
+    "compare": Function(_compare, 20e6),
+    "duty": Function(_duty, 20e6),
+    "export": Function(_export, 20e6),
+    "draw": Function(lambda scene, folder: fembearing.draw_bearing(scene, out=folder / "a.svg"), 20e6),
     "page": Function(_page, 50e6),
 }
 

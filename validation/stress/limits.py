@@ -6,34 +6,19 @@ missing; and what it was to write is whole or absent.
 
 import os
 import resource
+import shutil
 import tempfile
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
+from itertools import product
 from pathlib import Path
+from typing import NamedTuple
 
 from analytic.writing import HIDDEN
 from validation.stress.commands import FOLDER, FREE, Limits, fault_of, run
+from validation.stress.damage import INPUTS
 
-SCENE = """
-name = "killed"
-tolerance = "5 %"
-[bearing]
-catalog = "paper_6205"
-[operation]
-axial_load = "300 N"
-inner_speed = ["250 rpm", "700 rpm"]
-[friction]
-coefficient = 0.09
-hysteresis_loss = 0.007
-spin_rule = "balanced"
-"""
-GRID = """
-scene = "scene.toml"
-[axes]
-operation.inner_speed = ["250 rpm", "700 rpm"]
-bearing.inner.conformity = [0.513, 0.517, 0.522]
-operation.axial_load = { from = "120 N", to = "900 N", count = 7, spacing = "log" }
-"""
 UNPRIVILEGED = ("setpriv", "--bounding-set", "-dac_override,-dac_read_search")  # permissions hold for root too
 SLOWEST = 30.0  # s of the processor: where compiled formulas cannot be kept, they are compiled
 COMMANDS = {
@@ -45,6 +30,12 @@ COMMANDS = {
 }
 WRITING = ("torque --out", "sweep", "init")
 READING = {"scene.toml": "torque", "grid.toml": "sweep", "map.csv": "torque"}
+ENVIRONMENTS: dict[str, dict[str, str | None]] = {
+    "no home": {"HOME": None, "XDG_CACHE_HOME": None},
+    "a home that is not there": {"HOME": "/nowhere", "XDG_CACHE_HOME": None},
+    "no temporary folder": {"TMPDIR": "/nowhere"},
+    "the C locale": {"LC_ALL": "C", "LANG": None, "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+}
 MOUNTED = "mkdir full && mount -t tmpfs -o size=60M none full && cp *.toml full && cd full"
 FILLED = 'head -c "$(($(df --output=avail -B1 . | tail -n 1) - left))" /dev/zero >filling'
 
@@ -61,18 +52,13 @@ class Situation:
     needs_root: bool = False
 
 
-@dataclass(frozen=True)
-class Ended:
+class Ended(NamedTuple):
     """How a command ended in a situation."""
 
     situation: str
     command: str
     outcome: str  # its status, or why it was not run
     fault: str  # "" where there is none
-
-
-def memory(megabytes: int) -> Limits:
-    return Limits(sizes={resource.RLIMIT_AS: megabytes * 10**6})
 
 
 def shell(words: str) -> Limits:
@@ -82,7 +68,8 @@ def shell(words: str) -> Limits:
 
 def situations() -> Iterator[Situation]:
     for size in (150, 300, 450, 600, 800):
-        yield Situation(f"{size} MB of addresses", memory(size), (0, 1, 3, 71, 127, 1))
+        of_addresses = Limits(sizes={resource.RLIMIT_AS: size * 10**6})
+        yield Situation(f"{size} MB of addresses", of_addresses, (0, 1, 3, 71, 127, 1))
     for size in (0, 1000, 20_000):
         yield Situation(f"files of {size} bytes at most", Limits(sizes={resource.RLIMIT_FSIZE: size}), (0, 1, 3, 74))
     for size in (0, 8_000, 100_000):
@@ -90,26 +77,20 @@ def situations() -> Iterator[Situation]:
         yield Situation(f"{size} bytes left on the disk", Limits(before=full), (0, 1, 3, 74), WRITING, needs_root=True)
     yield Situation("output on a full device", shell('"$0" "$@" >/dev/full'), (74,))
     yield Situation("complaints on a full device", shell('"$0" "$@" 2>/dev/full'))
-    yield Situation(
-        "a reader that goes away", shell('{ "$0" "$@"; echo $? >status; } | true; exit $(cat status)'), (0, 1, 3, 141)
-    )
+    piped = shell('{ "$0" "$@"; echo $? >status; } | true; exit $(cat status)')
+    yield Situation("a reader that goes away", piped, (0, 1, 3, 141))
     bound = UNPRIVILEGED if os.getuid() == 0 else ()
-    yield Situation("a folder that is not ours", Limits(before=bound), (2, 74), WRITING, forbid)
-    yield Situation("no home", Limits(environment={"HOME": None, "XDG_CACHE_HOME": None}))
-    yield Situation("a home that is not there", Limits(environment={"HOME": "/nowhere", "XDG_CACHE_HOME": None}))
-    yield Situation("no temporary folder", Limits(environment={"TMPDIR": "/nowhere"}))
     yield Situation(
-        "the C locale", Limits(environment={"LC_ALL": "C", "LANG": None, "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"})
+        "a folder that is not ours", Limits(before=bound), (2, 74), WRITING, lambda place: place.chmod(0o555)
     )
+    for name, environment in ENVIRONMENTS.items():
+        yield Situation(name, Limits(environment=environment))
     for number, stream in enumerate(("input", "output", "error")):
         yield Situation(f"standard {stream} closed", Limits(closed=(number,)), (74,) if number == 1 else (0, 1, 3))
     yield Situation("all streams closed", Limits(closed=(0, 1, 2)), (74,))
     yield Situation("a working folder that is gone", shell('mkdir gone; cd gone; rmdir ../gone; "$0" "$@"'), (2, 74))
-    for file, command in READING.items():
-        for kind, prepare in ODD_FILES.items():
-            yield Situation(
-                f"{file}: {kind}", FREE, (2,), (command,), lambda place, f=file, p=prepare: odd(place, f, p)
-            )
+    for (file, command), (kind, prepare) in product(READING.items(), ODD_FILES.items()):
+        yield Situation(f"{file}: {kind}", FREE, (2,), (command,), partial(odd, file=file, prepare=prepare))
 
 
 def torn(path: Path) -> str:
@@ -122,10 +103,6 @@ def torn(path: Path) -> str:
     return "" if "#rolling" in path.read_text("utf-8")[-500:] else f"half of {path.name}"
 
 
-def forbid(place: Path) -> None:
-    place.chmod(0o555)
-
-
 def odd(place: Path, file: str, prepare: Callable[[Path], object]) -> None:
     """Put something odd in the place of a file."""
     path = place / file
@@ -133,12 +110,8 @@ def odd(place: Path, file: str, prepare: Callable[[Path], object]) -> None:
     prepare(path)
     if file == "map.csv":
         table = '[surface]\nheight_map = { path = "map.csv", spacing = "2 um" }\n[lubricant]\nname = "ISO VG 46"\n'
-        (place / "scene.toml").write_text(SCENE.replace("coefficient = 0.09\n", "") + table, "utf-8")
-
-
-def sparse(path: Path) -> None:
-    with path.open("wb") as file:
-        file.truncate(3 * 10**9)
+        scene = (INPUTS / "scene.toml").read_text("utf-8").replace("coefficient = 0.09\n", "")
+        (place / "scene.toml").write_text(scene + table, "utf-8")
 
 
 ODD_FILES: dict[str, Callable[[Path], object]] = {
@@ -147,7 +120,7 @@ ODD_FILES: dict[str, Callable[[Path], object]] = {
     "a pipe that nobody writes": lambda path: os.mkfifo(path),
     "a device that never ends": lambda path: path.symlink_to("/dev/zero"),
     "a link to itself": lambda path: path.symlink_to(path.name),
-    "3 GB of nothing": sparse,
+    "3 GB of nothing": lambda path: (path.touch(), os.truncate(path, 3 * 10**9)),
     "empty": lambda path: path.write_bytes(b""),
 }
 
@@ -167,8 +140,8 @@ def ended(*, every: int = 1) -> Generator[Ended]:
                 place = Path(folder) / "place"
                 place.mkdir()
                 Path(folder).chmod(0o755)
-                (place / "scene.toml").write_text(SCENE, "utf-8")
-                (place / "grid.toml").write_text(GRID, "utf-8")
+                for name in ("scene.toml", "grid.toml"):
+                    shutil.copy(INPUTS / name, place)
                 yield _ended(situation, command, place)
 
 

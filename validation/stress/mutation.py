@@ -18,15 +18,15 @@ import time
 from collections.abc import Generator, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
-from dataclasses import asdict, dataclass
 from pathlib import Path
 from queue import SimpleQueue
+from typing import NamedTuple
 
 import numpy as np
 
 from analytic.numerics.machine_code import CACHE
+from validation.study import ROOT
 
-ROOT = Path(__file__).resolve().parents[2]
 PACKAGES = ("analytic", "fembearing")
 LEFT_OUT = shutil.ignore_patterns(".git", ".venv*", ".*_cache", "__pycache__", "build", "dist", "*.egg-info")
 DRAWING = ("fembearing/report/figures", "fembearing/report/pictures")
@@ -41,8 +41,7 @@ EXTREMES = {"min": "max", "minimum": "maximum", "argmin": "argmax"}
 EXTREMES |= {after: before for before, after in EXTREMES.items()}
 
 
-@dataclass(frozen=True)
-class Mutant:
+class Mutant(NamedTuple):
     """One change of one expression."""
 
     module: str  # path from the root
@@ -56,8 +55,7 @@ class Mutant:
         return original[: self.span[0]] + b"(" + self.after.encode() + b")" + original[self.span[1] :]
 
 
-@dataclass(frozen=True)
-class Outcome:
+class Outcome(NamedTuple):
     mutant: Mutant
     outcome: str  # killed, timeout, survived, error
     seconds: float
@@ -65,7 +63,7 @@ class Outcome:
 
     @property
     def row(self) -> dict[str, object]:
-        mutant = {name: value for name, value in asdict(self.mutant).items() if name != "span"}
+        mutant = dict(zip(Mutant._fields[:-1], self.mutant, strict=False))
         return mutant | {"outcome": self.outcome, "seconds": round(self.seconds), "test": self.test}
 
 
@@ -84,11 +82,11 @@ def mutants(path: Path, root: Path = ROOT) -> Iterator[Mutant]:
     source, module = path.read_bytes(), path.relative_to(root).as_posix()
     starts = np.cumsum([0, *map(len, source.splitlines(keepends=True))])
     for node in expressions(ast.parse(source)):
-        span = [int(starts[line - 1]) + column for line, column in (
-            (node.lineno, node.col_offset), (node.end_lineno or 0, node.end_col_offset or 0))]  # fmt: skip
+        ends = (node.lineno, node.col_offset), (node.end_lineno, node.end_col_offset)
+        first, last = (int(starts[line - 1]) + column for line, column in ends)
         for kind, after in changes(node):
             if kind != "coefficient" or not module.startswith(DRAWING):
-                yield Mutant(module, node.lineno, kind, ast.unparse(node), ast.unparse(after), (span[0], span[1]))
+                yield Mutant(module, node.lineno, kind, ast.unparse(node), ast.unparse(after), (first, last))
 
 
 def expressions(node: ast.AST) -> Iterator[ast.expr]:
@@ -155,41 +153,36 @@ def of_text(node: ast.BinOp) -> bool:
     return any(isinstance(side, kinds) or isinstance(getattr(side, "value", None), str) for side in sides)
 
 
-class Tree:
-    """A copy of the tree, in which one mutant at a time is tested."""
+def tested(mutant: Mutant, root: Path) -> Outcome:
+    """The outcome of a mutant in a copy of the tree."""
+    file = root / mutant.module
+    original = file.read_bytes()
+    file.write_bytes(mutant.source(original))
+    try:
+        return Outcome(mutant, *run(tests_of(root, mutant.module), root))
+    finally:
+        file.write_bytes(original)
 
-    def __init__(self, folder: Path, cache: Path, before: Sequence[str]) -> None:
-        self.root, self.cache, self.before = folder, cache, before
-        shutil.copytree(ROOT, self.root, ignore=LEFT_OUT, symlinks=True)
 
-    def test(self, mutant: Mutant) -> Outcome:
-        file = self.root / mutant.module
-        original = file.read_bytes()
-        file.write_bytes(mutant.source(original))
-        try:
-            return Outcome(mutant, *self.run(tests_of(self.root, mutant.module)))
-        finally:
-            file.write_bytes(original)
-
-    def run(self, tests: Sequence[str]) -> tuple[str, float, str]:
-        """Run tests until one fails: outcome, seconds, and the test."""
-        limits = ("timeout", "--kill-after=10", DEAF, "bash", "-c", LIMITED, "limited")
-        pytest = (sys.executable, "-B", "-m", "pytest", "-q", "-x", "-rfE", "-p", "no:cacheprovider", *tests)
-        # Byte code is neither written nor read: that of a mutant could be as old and as long as another's.
-        own = {"PYTHONPATH": str(self.root), "CI": "true", "OMP_NUM_THREADS": "1", CACHE: str(self.cache)}
-        start = time.monotonic()
-        done = subprocess.run(
-            [*self.before, *limits, *pytest], cwd=self.root, env=os.environ | own, stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False,
-        )  # fmt: skip
-        seconds = time.monotonic() - start
-        if done.returncode == 0 or done.returncode in TIMED_OUT:
-            return "timeout" if done.returncode else "survived", seconds, ""
-        lines = done.stdout.strip().splitlines() or [""]
-        failed = [line.partition(" - ")[0] for line in lines if line.startswith(("FAILED tests/", "ERROR tests/"))]
-        if done.returncode == 1 and failed:
-            return "killed", seconds, failed[0].partition(" ")[2]
-        return "error", seconds, f"status {done.returncode}: {(failed or lines)[-1]:.200}"
+def run(tests: Sequence[str], root: Path) -> tuple[str, float, str]:
+    """Run tests of a copy of the tree until one fails: outcome, seconds, and the test."""
+    limits = ("timeout", "--kill-after=10", DEAF, "bash", "-c", LIMITED, "limited")
+    pytest = (sys.executable, "-B", "-m", "pytest", "-q", "-x", "-rfE", "-p", "no:cacheprovider", *tests)
+    # Byte code is neither written nor read: that of a mutant could be as old and as long as another's.
+    own = {"PYTHONPATH": str(root), "CI": "true", "OMP_NUM_THREADS": "1", CACHE: str(root.parent / "formulas")}
+    start = time.monotonic()
+    done = subprocess.run(
+        [*limits, *pytest], cwd=root, env=os.environ | own, stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False,
+    )  # fmt: skip
+    seconds = time.monotonic() - start
+    if done.returncode == 0 or done.returncode in TIMED_OUT:
+        return "timeout" if done.returncode else "survived", seconds, ""
+    lines = done.stdout.strip().splitlines() or [""]
+    failed = [line.partition(" - ")[0] for line in lines if line.startswith(("FAILED tests/", "ERROR tests/"))]
+    if done.returncode == 1 and failed:
+        return "killed", seconds, failed[0].partition(" ")[2]
+    return "error", seconds, f"status {done.returncode}: {(failed or lines)[-1]:.200}"
 
 
 def tests_of(root: Path, module: str) -> list[str]:
@@ -206,17 +199,17 @@ def tests_of(root: Path, module: str) -> list[str]:
     return [file.relative_to(root).as_posix() for file in files]
 
 
-def outcomes(chosen: Sequence[Mutant], *, jobs: int, before: Sequence[str] = ()) -> Generator[Outcome]:
+def outcomes(chosen: Sequence[Mutant], *, jobs: int) -> Generator[Outcome]:
     """The outcome of each mutant; at last, as an error, the tests that also fail without one."""
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(jobs) as pool:
-        trees: SimpleQueue[Tree] = SimpleQueue()
+        trees: SimpleQueue[Path] = SimpleQueue()
         for number in range(jobs):
-            trees.put(Tree(Path(folder) / str(number), Path(folder) / "formulas", before))
+            trees.put(shutil.copytree(ROOT, Path(folder) / str(number), ignore=LEFT_OUT, symlinks=True))
 
         def test(mutant: Mutant) -> Outcome:
             tree = trees.get()
             try:
-                return tree.test(mutant)
+                return tested(mutant, tree)
             finally:
                 trees.put(tree)
 
@@ -225,6 +218,6 @@ def outcomes(chosen: Sequence[Mutant], *, jobs: int, before: Sequence[str] = ())
             failed |= {outcome.test} if outcome.outcome == "killed" else set()
             yield outcome
         if failed:
-            found, seconds, test_ = trees.get().run(sorted(failed))
+            found, seconds, test_ = run(sorted(failed), trees.get())
             if found != "survived":
                 yield Outcome(Mutant("none", 0, "", "", "", (0, 0)), "error", seconds, test_)

@@ -18,8 +18,6 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")  # before NumPy loads its threads
 
 import argparse
 import compileall
-import csv
-import shlex
 import sys
 import tempfile
 import time
@@ -27,21 +25,21 @@ from collections import Counter
 from collections.abc import Callable, Generator, Iterator
 from contextlib import closing
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TypeVar
 
 import numpy as np
 
-from validation.stress.commands import ROOT, run
-from validation.stress.damage import Files
+from validation.stress.commands import damaged_through_commands, run, scenes_through_faces
+from validation.stress.damage import damaged_input
 from validation.stress.extreme import scene_input
-from validation.stress.faces import damaged_through_commands, scenes_through_faces
 from validation.stress.growth import FUNCTIONS, growth_of
 from validation.stress.limits import ended
 from validation.stress.mutation import drawn, outcomes
 from validation.stress.tab import page_input
 from validation.stress.watched import Input, Tried, tried
+from validation.study import ROOT, markdown, out, write
 
 Each = TypeVar("Each")
 MOST_REFUSED = 0.8  # share of the inputs; with more, the draw tests little but the first check of a reader
@@ -97,9 +95,7 @@ def main(argv: list[str] | None = None) -> int:
         parser.add_argument(
             f"--{name}", type=int, help=f"in place of {getattr(LONG, name)}, {getattr(SHORT, name)} short"
         )
-    parser.add_argument("--functions", nargs="*", choices=[*FUNCTIONS], help="of growth; all without it")
     parser.add_argument("--minutes", type=float, default=np.inf, help="a row ends then, with as many tries as it has")
-    parser.add_argument("--before", default="", help="what the tests of a mutant are started by, as 'nice -n 15'")
     parser.add_argument("--out", type=Path, help="folder for stress.md and mutation.csv; nothing is written without it")
     parser.add_argument("--keep", type=Path, default=Path("stress-faults"), help="folder for inputs with a fault")
     options = parser.parse_args(argv)
@@ -116,16 +112,12 @@ def main(argv: list[str] | None = None) -> int:
             for row in PARTS[part](place):
                 row.first_seed = options.seed
                 rows.append(row)
-                say(" | ".join(row.cells), *(f"  {fault}" for fault in row.faults))
+                for line in (" | ".join(row.cells), *(f"  {fault}" for fault in row.faults)):
+                    out.print(line, soft_wrap=True)
                 if options.out is not None:
-                    write(rows, options.out)
-    say(f"{sum(len(row.faults) for row in rows)} faults, {time.perf_counter() - begun:.0f} s")
+                    write_page(rows, options.out)
+    out.print(f"{sum(len(row.faults) for row in rows)} faults, {time.perf_counter() - begun:.0f} s")
     return int(any(row.faults for row in rows))
-
-
-def say(*lines: str) -> None:
-    sys.stdout.writelines(f"{line}\n" for line in lines)
-    sys.stdout.flush()
 
 
 @dataclass
@@ -145,13 +137,18 @@ class Place:
                 if time.monotonic() - begun > 60 * self.options.minutes:
                     return
 
-    def seeds(self, count: int) -> range:
-        """Those of so many inputs."""
-        return range(self.options.seed, self.options.seed + count)
+    def rows(self, part: str, count: int, results: Callable[[range], Generator[Tried]]) -> Iterator[Row]:
+        """The line of so many inputs; none without any."""
+        if count:
+            yield gathered(part, results(range(self.options.seed, self.options.seed + count)), self)
 
-    def tries(self, make: Callable[[int], Input], count: int) -> Generator[Tried]:
-        """So many inputs, each in the processes of --jobs."""
-        return tried(make, self.seeds(count), jobs=self.options.jobs)
+    def tries(self, make: Callable[[int], Input]) -> Callable[[range], Generator[Tried]]:
+        """Inputs, each in the processes of --jobs."""
+        return lambda seeds: tried(make, seeds, jobs=self.options.jobs)
+
+    def through(self, commands: Callable[..., Generator[Tried]]) -> Callable[[range], Generator[Tried]]:
+        """Inputs through commands, beside the memory of one that does little."""
+        return lambda seeds: commands(seeds, self.folder, self.base)
 
     @cached_property
     def base(self) -> float:
@@ -164,25 +161,18 @@ class Place:
 
 
 def scenes(place: Place) -> Iterator[Row]:
-    if place.budget.inputs:
-        yield gathered("scenes, one process", place.tries(scene_input, place.budget.inputs), place)
-    if place.budget.commands:
-        found = scenes_through_faces(place.seeds(place.budget.commands), place.folder, place.base)
-        yield gathered("scenes, every face", found, place)
+    yield from place.rows("scenes, one process", place.budget.inputs, place.tries(scene_input))
+    yield from place.rows("scenes, every face", place.budget.commands, place.through(scenes_through_faces))
 
 
 def damaged(place: Place) -> Iterator[Row]:
-    files = Files(place.folder)
-    if place.budget.inputs:
-        yield gathered("damaged, one process", place.tries(files.input, place.budget.inputs), place)
-    if place.budget.commands:
-        found = damaged_through_commands(place.seeds(place.budget.commands), files, place.base)
-        yield gathered("damaged, commands", found, place)
+    make = partial(damaged_input, folder=place.folder)
+    yield from place.rows("damaged, one process", place.budget.inputs, place.tries(make))
+    yield from place.rows("damaged, commands", place.budget.commands, place.through(damaged_through_commands))
 
 
 def paged(place: Place) -> Iterator[Row]:
-    if place.budget.pages:
-        yield gathered("page, one process", place.tries(page_input, place.budget.pages), place)
+    yield from place.rows("page, one process", place.budget.pages, place.tries(page_input))
 
 
 def gathered(part: str, results: Generator[Tried], place: Place) -> Row:
@@ -208,31 +198,23 @@ def limited(place: Place) -> Iterator[Row]:
 
 
 def growing(place: Place) -> Iterator[Row]:
-    chosen = place.options.functions or FUNCTIONS
     for number, function in enumerate(FUNCTIONS):
-        calls = place.budget.calls[min(number, 2)]
-        if calls == 0 or function not in chosen:
-            continue
-        done, gained = growth_of(function, calls, seconds=60 * place.options.minutes)
-        fault = [] if gained < FUNCTIONS[function].most else [f"grows by {gained / 1e6:.1f} MB"]
-        yield Row(f"growth, {function}", Counter(calls=done), fault, largest=max(gained, 0.0))
+        if calls := place.budget.calls[min(number, 2)]:
+            done, gained = growth_of(function, calls, seconds=60 * place.options.minutes)
+            fault = [] if gained < FUNCTIONS[function].most else [f"grows by {gained / 1e6:.1f} MB"]
+            yield Row(f"growth, {function}", Counter(calls=done), fault, largest=max(gained, 0.0))
 
 
 def mutated(place: Place) -> Iterator[Row]:
     row, options, table = Row("mutation"), place.options, []
-    chosen = drawn(place.budget.mutants, options.seed)
-    for each in place.within_minutes(outcomes(chosen, jobs=options.jobs, before=shlex.split(options.before))):
+    for each in place.within_minutes(outcomes(drawn(place.budget.mutants, options.seed), jobs=options.jobs)):
         row.outcomes[each.outcome] += 1
         table.append(each.row)
         if each.outcome in ("survived", "error"):
             mutant = each.mutant
             row.faults.append(f"{each.outcome}: {mutant.module}:{mutant.line}, {mutant.before} -> {mutant.after}")
         if options.out is not None:
-            options.out.mkdir(parents=True, exist_ok=True)
-            with (options.out / "mutation.csv").open("w", newline="") as file:
-                writer = csv.DictWriter(file, list(table[0]))
-                writer.writeheader()
-                writer.writerows(table)
+            write(table, options.out / "mutation.csv", list(table[0]))
     yield row
 
 
@@ -246,11 +228,10 @@ PARTS = {
 }
 
 
-def write(rows: list[Row], folder: Path) -> None:
+def write_page(rows: list[Row], folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
-    table = [HEAD, ["---"] * len(HEAD), *(row.cells for row in rows)]
     faults = [f"- {row.part}: {' '.join(fault.split())}" for row in rows for fault in row.faults]
-    lines = ["# Robustness", "", *(f"| {' | '.join(cells)} |" for cells in table), "", *(faults or ["No faults."])]
+    lines = ["# Robustness", "", *markdown(HEAD, (row.cells for row in rows)), "", *(faults or ["No faults."])]
     (folder / "stress.md").write_text("\n".join(lines) + "\n", "utf-8")
 
 

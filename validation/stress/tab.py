@@ -11,7 +11,7 @@ from unittest.mock import patch
 import numpy as np
 
 from analytic.errors import FembearingError, InputError
-from validation.stress.damage import SCENES, changed_toml
+from validation.stress.damage import changed_scene
 from validation.stress.extreme import extreme_scene
 from validation.stress.watched import SLOWEST, Input, SilentError
 
@@ -94,6 +94,6 @@ def page_input(seed: int) -> Input:
     if seed % 2:
         kind, content = "page, extreme", extreme_scene(rng).encode()
     else:
-        kind, content = "page, damaged", changed_toml(SCENES[rng.integers(len(SCENES))].read_text("utf-8"), rng)
+        kind, content = "page, damaged", changed_scene(rng)
     opened = tab()
     return Input(kind, content, lambda: opened.shows(content.decode("utf-8", "replace")))

@@ -12,10 +12,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from analytic import lubricant, traction_coefficient
 from analytic.oil.viscosity import oil_numbers, thickening_at
-from analytic.scene import Lubricant
+from analytic.scene import Array, Lubricant
 from validation.study import PUBLISHED, Out, figure, markdown, read, run, save, write_text
 
 HERE = Path(__file__).parent
@@ -44,6 +45,12 @@ class Test(NamedTuple):
     roelands: float  # with Roelands' viscosity
 
 
+def coefficient(oil: str | Lubricant, *, speed: float, slip: ArrayLike, film: float) -> Array:
+    """Of two discs, by the product."""
+    known = {"pressure": PRESSURE, "temperature": TEMPERATURE, "contact": "line"}
+    return traction_coefficient(oil, speed=speed, slip=slip, film=film, **known)
+
+
 def at_hertz_pressure(oil: Lubricant) -> Lubricant:
     """The oil with 2 Lambda/alpha at the Hertz pressure as its Eyring stress everywhere."""
     numbers = oil_numbers(oil)
@@ -57,12 +64,8 @@ def tests() -> Iterator[Test]:
     for row in read(DATA):
         oil = lubricant(row["oil"], temperature=TEMPERATURE)
         speed, slip, film = float(row["rolling_speed [m/s]"]), float(row["slip"]), float(row["film [um]"]) * 1e-6
-        found = (
-            traction_coefficient(
-                each, pressure=PRESSURE, speed=speed, slip=slip, film=film, temperature=TEMPERATURE, contact="line"
-            )
-            for each in (oil, at_hertz_pressure(oil), replace(oil, thickening="roelands"))
-        )
+        laws = oil, at_hertz_pressure(oil), replace(oil, thickening="roelands")
+        found = (coefficient(each, speed=speed, slip=slip, film=film) for each in laws)
         yield Test(row["oil"], speed, slip, film, float(row["coefficient"]), *(float(each) for each in found))
 
 
@@ -98,15 +101,7 @@ def draw(found: list[Test], path: Path) -> None:
         for oil, colour in COLOURS.items():
             here = [each for each in found if (each.oil, each.speed) == (oil, speed)]
             film = geometric([each.film for each in here])
-            curve = traction_coefficient(
-                oil,
-                pressure=PRESSURE,
-                speed=speed,
-                slip=slips,
-                film=film,
-                temperature=TEMPERATURE,
-                contact="line",
-            )
+            curve = coefficient(oil, speed=speed, slip=slips, film=film)
             axis.plot(slips * 100, curve, color=colour, label=f"{oil}, {KINDS[oil]}")
             places, values = [each.slip * 100 for each in here], [each.reference for each in here]
             axis.errorbar(places, values, yerr=STATED, color=colour, marker="o", ls="none", capsize=3, ms=4)
