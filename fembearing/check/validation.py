@@ -22,9 +22,7 @@ from analytic.scenefile.parts import Given, with_tolerance
 from analytic.verdicts import Compared, Overall, Verdict, Verdicts, pressure_check
 from fembearing.check.cage_record import CageRecord, record_cage
 from fembearing.check.comparison import ShownVerdict, verdict_within, worst
-from fembearing.check.contact.bearings import OneBearing, bearings_of, which_bearing
-from fembearing.check.contact.columns import COLUMNS, VERDICT
-from fembearing.check.contact.scene_contact import balls_of, contact_of
+from fembearing.check.contact.scene_contact import OneBearing, balls_of, bearings_of, contact_of, which_bearing
 from fembearing.check.contact.solution import ContactSolution, solve_contact, with_ring
 from fembearing.check.cost.contact_ladder import contact_ladder_of
 from fembearing.check.cost.ladder import Ladder
@@ -38,6 +36,7 @@ from fembearing.check.sensitivity import Sensitivity, sensitivity_of
 from fembearing.check.torque_change import TorqueChange, change_of_torque
 from fembearing.mesh.recipe import Geometry
 from fembearing.provenance import Provenance, provenance_of
+from fembearing.quantities import CONTACT_COLUMNS, VERDICT
 
 # Contacts with the seconds that they took on one machine, for the progress alone.
 RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
@@ -163,7 +162,7 @@ class Validation(Brief):
         }
         return (
             {name: Labelled(("contact",), values, Column("", meaning)) for name, (meaning, values) in words.items()},
-            {name: Labelled(("contact",), [row[name] for row in rows], each) for name, each in COLUMNS.items()},
+            {name: Labelled(("contact",), [row[name] for row in rows], each) for name, each in CONTACT_COLUMNS.items()},
         )
 
     @property
@@ -209,7 +208,7 @@ def check_scene(
     measured_torques = None
     if scene.measured is not None:
         measured_torques = compare_measured(scene, progress=lambda _share, step: progress(0.0, step))
-    bearings = bearings_of(scene)
+    bearings = list(bearings_of(scene))
     jobs = _jobs(scene, bearings)  # refuses too
     moves = bool(np.any(scene.operation.inner_speed))
     films_too = film and scene.lubricant is not None and moves

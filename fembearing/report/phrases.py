@@ -9,7 +9,7 @@ from analytic.columns import MODEL_PARTS, Point
 from analytic.units import load_words
 from analytic.units import speed_words as speed_words
 from analytic.words import Unit, angle_of, percent_of, rounded
-from fembearing.check.contact.bearings import place_of
+from fembearing.check.contact.scene_contact import place_of
 from fembearing.quantities import CONTACT, METRIC, Quantity, Units
 
 if TYPE_CHECKING:

@@ -80,21 +80,16 @@ class ApproachCurve:
 def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool) -> ApproachCurve:
     """The curve from 0.05 to 1.5 times the contact's load.
 
-    hertz : the contact under its own load; semi-axes, peak pressure and approach are powers of the load
+    hertz : the contact under its own load
     correctable : whether the correction for finite geometry applies to this contact
     """
     factor = np.linspace(LEAST, MOST, POINTS)
     corrected: list[float | None] = [None] * POINTS
     uncertainty: list[float | None] = [None] * POINTS
     for point, times in enumerate(factor if correctable else ()):
-        scaled = Quantities(
-            semi_axis_rolling=hertz.semi_axis_rolling * times ** (1 / 3),
-            semi_axis_transverse=hertz.semi_axis_transverse * times ** (1 / 3),
-            peak_pressure=hertz.peak_pressure * times ** (1 / 3),
-            approach=hertz.approach * times ** (2 / 3),
-            stiffness=hertz.stiffness,
-        )
-        fitted, _ = corrected_hertz(replace(contact, load=contact.load * float(times)), hertz=scaled)
+        approach = hertz.approach * times ** (2 / 3)
+        heavier = replace(contact, load=contact.load * float(times))
+        fitted, _ = corrected_hertz(heavier, hertz=replace(hertz, approach=approach))
         if fitted is not None:
             corrected[point], uncertainty[point] = fitted.quantities.approach, fitted.uncertainty["approach"]
     return ApproachCurve(

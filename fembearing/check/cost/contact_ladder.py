@@ -8,11 +8,10 @@ from typing import Any
 import numpy as np
 
 from analytic.errors import InputError
-from analytic.progress import silent
 from analytic.scene import Array, Contact
-from fembearing.check.contact.bearings import which_bearing
 from fembearing.check.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
-from fembearing.check.contact.refinement import COMPARED, Estimates, estimates_of, solve_by_twin
+from fembearing.check.contact.refinement import COMPARED, Estimates, Wanted, estimates_of, solve_by_twin
+from fembearing.check.contact.scene_contact import which_bearing
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.cost.ladder import Candidate, Ladder, clocked, measured
 from fembearing.fem.compliance import pair_compliance
@@ -64,8 +63,7 @@ def measured_contact(contact: Contact, *, recipe: Recipe, **how: Any) -> Ladder:
         Candidate(f"compliance of the pair, level {level}", partial(by_compliance, level), _numbers, bounds.get(level))
         for level in (() if footprint_of(contact, axes).cut else recipe.levels[:2])
     ]
-    by_twin = {"accuracy": WITH_TWIN, "quantities": COMPARED, "undecided": lambda _: False, "progress": silent}
-    seconds, twin = clocked(partial(solve_by_twin, contact, recipe=recipe, **by_twin))
+    seconds, twin = clocked(partial(solve_by_twin, contact, Wanted(recipe, accuracy=WITH_TWIN)))
     if twin is not None:  # with the sizing and the far boundary
         name = f"finite elements, twin, to level {twin.meshes[-1].level}"
         others.append(Candidate(name, lambda: twin.estimates, _limits, _off, once=True, spent=seconds))

@@ -18,9 +18,8 @@ from analytic.progress import Progress, silent
 from analytic.rows import OperatingPoint, Positive
 from analytic.scene import Bearing, Material, Operation, Scene
 from fembearing.check.comparison import Comparison, compared
-from fembearing.check.contact.bearings import OfPair
 from fembearing.check.contact.compliance import Compliance
-from fembearing.check.contact.scene_contact import balls_of, heaviest_place, traced_to_load
+from fembearing.check.contact.scene_contact import OfPair, balls_of, heaviest_place, traced_to_load
 from fembearing.check.creep.meshed_bodies import with_meshed_bodies
 from fembearing.check.creep.production import (
     ProducedBall,

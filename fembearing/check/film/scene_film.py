@@ -22,9 +22,8 @@ from analytic.progress import Progress, silent
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Contact, Scene
 from fembearing.check.comparison import Comparison, ShownVerdict, compared_with, worst
-from fembearing.check.contact.bearings import OfPair
 from fembearing.check.contact.compliance import Compliance, meshed_pair
-from fembearing.check.contact.scene_contact import balls_of, contact_at, heaviest_place
+from fembearing.check.contact.scene_contact import OfPair, balls_of, contact_at, heaviest_place
 from fembearing.check.film.closed_forms import ClosedForms
 from fembearing.ehl.ball_on_race import lubricated_contact
 from fembearing.ehl.contact import LubricatedContact, Reach

@@ -4,9 +4,8 @@ from collections.abc import Iterator, Sequence
 
 from analytic.units import METRIC, MICRO, STIFFNESS, TANGENT, Units
 from fembearing.check.comparison import Comparison
-from fembearing.check.contact.load_series import LoadSeries
+from fembearing.check.contact.load_series import LoadSeries, PocketLaw
 from fembearing.check.contact.solution import ContactNumbers, sheet_in_series
-from fembearing.check.contact.stiffness_law import PocketLaw
 from fembearing.check.contact.subsurface import SubsurfaceComparison
 from fembearing.quantities import STRESSES
 from fembearing.report.phrases import (

@@ -1,7 +1,7 @@
 """The film of a ball on a race, by formula and by numerical solution."""
 
 from analytic.words import MILLINEWTON
-from fembearing.check.contact.bearings import which_bearing
+from fembearing.check.contact.scene_contact import which_bearing
 from fembearing.check.film.scene_film import FilmNumbers
 from fembearing.quantities import METRIC, Units
 from fembearing.report.phrases import shown, speed_words

@@ -7,13 +7,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.progress import silent
 from analytic.scene import Contact
-from fembearing.check.contact.meshed_region import has_sides, sides_farther
+from fembearing.check.contact.meshed_region import (
+    FARTHER_LEFT,
+    SIDES_LEFT,
+    SIDES_LEFT_IN_OTHERS,
+    has_sides,
+    sides_farther,
+)
 from fembearing.check.contact.refinement import (
+    Wanted,
     solve_reference,
 )
-from fembearing.check.contact.uncertainty import FARTHER_LEFT, SIDES_LEFT, SIDES_LEFT_IN_OTHERS
 from fembearing.fem.measure import Quantities, ShoulderLoad
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.grid_convergence import FINEST
@@ -58,7 +63,7 @@ def test_the_sides_of_a_steep_contact_are_those_of_a_finer_mesh(contacts: dict[s
     far = 4.21e-3 * np.sin(0.7)  # the bottom of the groove
     contact = replace(contacts["outer"], shoulder=1.5e-3, far_shoulder=far, contact_angle=0.7, load=200.0)
     recipe = load_recipe("race")
-    found = solve_reference(contact, recipe=recipe, accuracy=0.9, progress=silent)
+    found = solve_reference(contact, Wanted(recipe, accuracy=0.9))
     axes = found.meshes[1].pair.semi_axes
     thirds = [
         solve_on_mesh(contact, recipe=recipe, level=3, semi_axes=axes, sides=sides).quantities

@@ -9,11 +9,9 @@ import numpy as np
 import pytest
 
 from analytic.contact.geometry import pocket_contact
-from analytic.progress import silent
-from fembearing.check.contact.load_series import compare_series
-from fembearing.check.contact.refinement import solve_reference
+from fembearing.check.contact.load_series import LawData, compare_series, fit_pocket_law
+from fembearing.check.contact.refinement import Wanted, solve_reference
 from fembearing.check.contact.solution import compare_contact
-from fembearing.check.contact.stiffness_law import LawData, fit_pocket_law
 from fembearing.check.contact.warnings import sheet_warnings
 from fembearing.mesh.recipe import load_recipe
 from tests.analytic.specimens import BEARING_6205, STAMPED_CAGE, present
@@ -64,7 +62,7 @@ def test_the_sheet_bends_as_a_shell_and_the_law_holds_between_its_loads() -> Non
     shell = 4 * 206e9 * sheet**2 / (np.sqrt(3 * (1 - 0.3**2)) * (4.07e-3 + sheet / 2))
     assert law.sheet == pytest.approx(shell, rel=0.15)  # the shell is a tenth of its radius thick, not thin
     other = replace(contact, load=4.1)
-    single = solve_reference(other, recipe=recipe, accuracy=0.02, quantities=("approach",), progress=silent)
+    single = solve_reference(other, Wanted(recipe, accuracy=0.02, quantities=("approach",)))
     # 1 %: the law departs by 0.3 % from its loads, whose approaches are uncertain by 0.5 %
     assert float(law.approach(4.1)) == pytest.approx(single.estimates["approach"].value, rel=1e-2)
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fembearing.check.contact.stiffness_law import LawData, fit_law, fit_tangents
+from fembearing.check.contact.load_series import LawData, fit_law, fit_tangents
 from fembearing.grid_convergence import Estimate
 from tests.analytic.specimens import present
 

@@ -11,8 +11,7 @@ import pytest
 from rich.console import Console
 
 from fembearing.check.comparison import compared, compared_with
-from fembearing.check.contact.load_series import LoadPoint, LoadSeries
-from fembearing.check.contact.stiffness_law import StiffnessLaw
+from fembearing.check.contact.load_series import LoadPoint, LoadSeries, StiffnessLaw
 from fembearing.check.contact.subsurface import NAMES, SubsurfaceComparison
 from fembearing.check.validation import Validation
 from fembearing.plain_types import plain

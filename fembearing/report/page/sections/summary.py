@@ -8,7 +8,7 @@ from analytic.scene_torque import SceneTorque
 from analytic.scenefile.inputs import StatedInput
 from analytic.standing import Standing
 from analytic.verdicts import NumericalCheck
-from fembearing.check.contact.bearings import which_bearing
+from fembearing.check.contact.scene_contact import which_bearing
 from fembearing.check.contact.solution import ContactNumbers
 from fembearing.quantities import CONTACT, Units
 from fembearing.report.headline import ends_of
