@@ -24,9 +24,8 @@ from fembearing.check.cage_record import CageRecord, record_cage
 from fembearing.check.comparison import ShownVerdict, verdict_within, worst
 from fembearing.check.contact.scene_contact import OneBearing, balls_of, bearings_of, contact_of, which_bearing
 from fembearing.check.contact.solution import ContactSolution, solve_contact, with_ring
-from fembearing.check.cost.contact_ladder import contact_ladder_of
 from fembearing.check.cost.ladder import Ladder
-from fembearing.check.cost.scene_cost import SEED, measure_cost
+from fembearing.check.cost.scene_cost import SEED, contact_ladder_of, measure_cost
 from fembearing.check.creep.scene_creep import SceneCreep, creep_of
 from fembearing.check.film.scene_film import RaceFilm, film_change, film_of
 from fembearing.check.hard_record import HardRecord, last_run
