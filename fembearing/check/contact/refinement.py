@@ -276,7 +276,7 @@ def extrapolated(
     limits["approach"] *= 1 + curved
     limits["stiffness"] = load / limits["approach"] ** 1.5
     step = max(abs(part / last[name]) for name, part in change.items()) / (finer**ORDER - 1)
-    mesh: dict[str, float] = dict.fromkeys(FORMAL_ORDERS, LEAST_WITH_TWIN + left + LEFT * step)
+    uncertainty = LEAST_WITH_TWIN + left + LEFT * step
+    mesh = {name: uncertainty * (STIFFNESS if name == "stiffness" else 1.0) for name in FORMAL_ORDERS}
     mesh["peak_pressure"] += UNSTEADY_PRESSURE
-    mesh["stiffness"] *= STIFFNESS
     return limits, mesh

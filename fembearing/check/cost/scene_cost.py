@@ -369,7 +369,7 @@ def _motions(driven: DrivenCage, steps: Sequence[float], how: dict[str, Any]) ->
 
 def films(scene: Scene) -> Iterator[Declared]:
     """Central film and rolling force of the heaviest ball on the inner race, from the same grids."""
-    closed, _ = problem_of(scene, "inner")
+    closed = problem_of(scene, "inner")
     require_few_cells(closed.problem, USUAL * RATIO)
     found = numerical_film(closed.problem, refinement=USUAL)
     of_film, spread = FILM_FACTORS[1] - 1, COVERAGE * ROLLING_SPREAD
