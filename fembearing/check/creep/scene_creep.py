@@ -114,7 +114,7 @@ def creep_of(
     """Solve the friction of the heaviest ball, and compare formula and production with it.
 
     load : of the heaviest ball, N, > 0: all loads of its operating point are scaled; None: the scene's
-    inner_speed : of the inner ring, rad/s, of either sign, not 0; None: that of the operating point of the heaviest ball
+    inner_speed : of the inner ring, rad/s, of either sign, not 0; None: at the operating point of the heaviest ball
     friction : coefficient of both races, in place of the scene's; dimensionless
     tolerance : required of the torque by sliding, relative; None: the scene's
     compliance : of the reference: half spaces, or ball and race of true shape by finite elements
