@@ -67,6 +67,11 @@ class CreepNumbers:
     bearing: OfPair | None = None  # of a pair
 
     @property
+    def load(self) -> float:
+        """Of the ball, the larger one of both races, N."""
+        return max(race.load for race in self.races.values())
+
+    @property
     def relative_uncertainty(self) -> float:
         """Of the torque."""
         return self.torque.uncertainty / abs(self.torque.reference)

@@ -216,7 +216,8 @@ def film_of(
     solution = _accurate(
         problem, tolerance=limit, progress=lambda share: progress(share, f"{pair}: film on three grids")
     )
-    return compare_film(closed, solution, tolerance=limit, compliance=compliance)
+    found = compare_film(closed, solution, tolerance=limit)
+    return replace(found, numbers=replace(found.numbers, compliance=compliance))
 
 
 def film_change(scene: Scene, friction: FrictionTorque, films: tuple[RaceFilm, ...]) -> Array:
@@ -299,9 +300,7 @@ def problem_of(scene: Scene, pair: Race, *, load: float | None = None, inner_spe
     return ClosedForms(scene=scene, pair=pair, contact=contact, inner_speed=speed, problem=problem)
 
 
-def compare_film(
-    closed: ClosedForms, solution: NumericalFilm, *, tolerance: float, compliance: Compliance = "half-space"
-) -> RaceFilm:
+def compare_film(closed: ClosedForms, solution: NumericalFilm, *, tolerance: float) -> RaceFilm:
     """The formulas beside a solution of the same contact."""
     problem, contact = closed.problem, closed.contact
     film, produced_film = closed.film(), closed.model_film()
@@ -337,6 +336,5 @@ def compare_film(
         tolerance=tolerance,
         seconds=solution.seconds,
         warnings=(OUTSIDE,) if share < 1 and resistance.outside_range else (),
-        compliance=compliance,
     )
     return RaceFilm(numbers=numbers, solution=solution)
