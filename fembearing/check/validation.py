@@ -147,7 +147,8 @@ class Validation(Brief):
             for warning in contact.numbers.warnings
         )
         torque = () if self.torque is None else self.torque.friction.warnings
-        fitted = () if self.torque_change is None else self.torque_change.fitting_warnings
+        fit = None if self.torque_change is None else self.torque_change.fitted
+        fitted = () if fit is None else fit.warnings
         films = (warning for film in self.films for warning in film.numbers.warnings)
         creep = (warning for creep in self.creep for warning in creep.numbers.warnings)
         return tuple(dict.fromkeys([*contacts, *torque, *fitted, *films, *creep, *self.missing, *self.trouble]))

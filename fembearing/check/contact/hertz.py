@@ -4,6 +4,7 @@ Pressure profiles: where the contact is symmetric a quarter of it is meshed, and
 Where one shoulder cuts it off a half is meshed, and transverse positions run from one side to the other.
 """
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -14,7 +15,9 @@ from analytic.contact.finite_geometry import contact_shape, finite_geometry_fact
 from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.rows import NotNegative, Positive
 from analytic.scene import Array, Contact
+from fembearing.check.comparison import Comparison, compared_with, verdict_on
 from fembearing.fem.measure import Quantities
+from fembearing.grid_convergence import Estimate
 
 if TYPE_CHECKING:  # the solver takes a second to import, and nothing else here needs it
     from fembearing.fem.solution import MeshSolution
@@ -44,6 +47,22 @@ def hertz_quantities(contact: Contact) -> Quantities:
         approach=float(ellipse.approach),
         stiffness=float(ellipse.stiffness),
     )
+
+
+def beside_hertz(
+    hertz: Quantities, estimates: dict[str, Estimate], *, tolerance: float, valid: bool, judged: Collection[str]
+) -> dict[str, Comparison]:
+    """Hertz beside the estimate of each quantity, with a verdict where it is judged.
+
+    tolerance : relative;  valid : whether the contact ends before its shoulder
+    judged : names of quantities; none of a sheet, which Hertz's half space does not describe
+    """
+    found = {name: compared_with(part, getattr(hertz, name)) for name, part in estimates.items()}
+    return found | {
+        name: replace(found[name], verdict=verdict_on(found[name].production, part, tolerance=tolerance, valid=valid))
+        for name, part in estimates.items()
+        if name in judged
+    }
 
 
 def corrected_hertz(contact: Contact, *, hertz: Quantities) -> tuple[CorrectedHertz | None, tuple[str, ...]]:

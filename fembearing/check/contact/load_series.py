@@ -30,9 +30,9 @@ from analytic.progress import Progress, part_of, silent
 from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Array, Contact, Pair, Scene
 from analytic.scenefile.parts import Given, with_tolerance
-from fembearing.check.comparison import Comparison, ShownVerdict, compared_with, could_be_decided, verdict_on, worst
+from fembearing.check.comparison import Comparison, ShownVerdict, worst
 from fembearing.check.contact.compliance import ends_before_shoulder, pair_series
-from fembearing.check.contact.hertz import hertz_quantities
+from fembearing.check.contact.hertz import beside_hertz, hertz_quantities
 from fembearing.check.contact.meshed_region import Boundary, boundary_effect, has_boundary, has_sides, with_sides
 from fembearing.check.contact.refinement import Estimates, Wanted, estimates_of, solve_reference
 from fembearing.check.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
@@ -47,7 +47,7 @@ from fembearing.check.memory import peak_memory
 from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.series import checked_loads, off_mesh, on_level, solve_series
 from fembearing.fem.solution import MeshSolution
-from fembearing.grid_convergence import Estimate, mesh_allowed
+from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import Geometry, Recipe
 from fembearing.quantities import CONTACT_COLUMNS, VERDICT
 
@@ -57,6 +57,7 @@ from fembearing.quantities import CONTACT_COLUMNS, VERDICT
 # (validation/benchmarks/calibrations.py); it is smaller where the ellipse is close to the mesh's.
 OFF_MESH = 3e-3
 OFF_FROM = 0.1  # difference of the ellipses, in semi-axes, from which OFF_MESH applies in full; in proportion below
+APPROACH = ("approach",)  # on which the verdict of a series is
 ALIKE = 0.3  # in ln F, a tenth of a semi-axis: farther apart, off-mesh errors of two loads are independent
 CONFIDENCE = 0.95
 ENOUGH = 5  # distinct loads from which the tangents may depart from a power law
@@ -281,44 +282,40 @@ class LoadSeries(Brief):
         yield from (self.pair, self.geometry, f"{span([point.load for point in self.points])} N")
         yield from (f"{len(self.points)} loads", self.verdict)
 
-    @property
-    def _loads(self) -> Labelled:
-        return Labelled(("load",), [point.load for point in self.points], CONTACT_COLUMNS["load"])
-
     def _columns(self) -> dict[str, Labelled]:
-        """What is computed at each load, SI."""
-        described = {name: CONTACT_COLUMNS[name] for name in CONTACT_COLUMNS if name.endswith("approach")} | {
+        """Each load and what is computed there, SI."""
+        described = CONTACT_COLUMNS | {
             "tangent": Column("N/m", "dF/d(approach), finite elements"),
             "uncertainty_tangent": Column("1", "numerical uncertainty of dF/d(approach), relative"),
             "hertz_tangent": Column("N/m", "dF/d(approach), Hertz"),
             VERDICT: Column("", "on Hertz's approach"),
         }
-        rows = [
-            {
-                "approach": point.approach.reference,
-                "uncertainty_approach": point.approach.uncertainty / point.approach.reference,
-                "hertz_approach": point.approach.production,
-                "discrepancy_approach": point.approach.difference,
-                "tangent": np.nan if point.tangent is None else point.tangent,
-                "uncertainty_tangent": np.nan if point.tangent_uncertainty is None else point.tangent_uncertainty,
-                "hertz_tangent": point.hertz_tangent,
-                VERDICT: point.approach.verdict,
-            }
-            for point in self.points
-        ]
-        return {name: Labelled(("load",), [row[name] for row in rows], column) for name, column in described.items()}
+        approaches = [point.approach for point in self.points]
+        columns = {
+            "load": [point.load for point in self.points],
+            "approach": [each.reference for each in approaches],
+            "uncertainty_approach": [each.uncertainty / each.reference for each in approaches],
+            "hertz_approach": [each.production for each in approaches],
+            "discrepancy_approach": [each.difference for each in approaches],
+            "tangent": np.array([point.tangent for point in self.points], dtype=np.float64),
+            "uncertainty_tangent": np.array([point.tangent_uncertainty for point in self.points], dtype=np.float64),
+            "hertz_tangent": [point.hertz_tangent for point in self.points],
+            VERDICT: [each.verdict for each in approaches],
+        }
+        return {name: Labelled(("load",), values, described[name]) for name, values in columns.items()}
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over the loads, SI, with units and meanings as attributes."""
+        columns, attributes = self._columns(), ("pair", "geometry", "tolerance")
         return dataset_of(
-            self._columns(),
-            coordinates={"load": self._loads},
-            attributes={"pair": self.pair, "geometry": self.geometry, "tolerance": self.tolerance},
+            columns,
+            coordinates={"load": columns.pop("load")},
+            attributes={name: getattr(self, name) for name in attributes},
         )
 
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame with the columns of `to_dataset`: a row for each load, SI."""
-        return frame_of({"load": self._loads} | self._columns(), "load")
+        return frame_of(self._columns(), "load")
 
 
 def solve_load_series(
@@ -403,32 +400,39 @@ def compare_series(
     accuracy = tolerance if accuracy is None else accuracy
     contact = as_meshed(contact, recipe=recipe)
     given = checked_loads(loads)
+    thin = recipe.geometry == "wall"
+    wanted = Wanted(recipe, accuracy, APPROACH, None if thin else tolerance, APPROACH, part_of(progress, 0.6, 1.0))
     solved, meshes = _solved(contact, recipe=recipe, loads=sorted(set(given.tolist())), progress=progress)
-    solved |= _refined(
-        solved, recipe=recipe, tolerance=tolerance, accuracy=accuracy, progress=part_of(progress, 0.6, 1.0)
-    )
+    solved |= _refined(solved, wanted)
     finest, estimates, off = zip(*(solved[load] for load in given.tolist()), strict=True)
     approaches = [part["approach"] for part in estimates]
     data = LawData.of(given, approaches, off)
     law = fit_law(data)
     tangents = [(None, None)] * given.size if law is None else fit_tangents(data, given, approaches)
-    thin = recipe.geometry == "wall"
     over = [part.contact.load for part in finest if near_shoulder(part, contact)]
     heaviest = finest[int(given.argmax())]
     bending = ()
     if thin and isinstance(heaviest, MeshSolution):  # a sheet is solved on meshes
         bending = sheet_warnings(heaviest, hertz=hertz_quantities(heaviest.contact).peak_pressure)
+    points = []
+    for load, part, found, tangent in zip(given.tolist(), finest, estimates, tangents, strict=True):
+        hertz, judged = hertz_quantities(part.contact), () if thin else APPROACH
+        points.append(
+            LoadPoint(
+                load=load,
+                quantities=beside_hertz(hertz, found, tolerance=tolerance, valid=load not in over, judged=judged),
+                tangent=tangent[0],
+                tangent_uncertainty=tangent[1],
+                hertz_tangent=1.5 * load / hertz.approach,
+            )
+        )
     every = [(part, {"approach": approach}) for part, approach in zip(finest, approaches, strict=True)]
-    points = tuple(
-        _point_of(*each, tolerance=tolerance, judged=not thin, valid=each[0].contact.load not in over)
-        for each in zip(finest, estimates, tangents, strict=True)
-    )
     return LoadSeries(
         pair=contact.pair,
         geometry=recipe.geometry,
         contact_angle=contact.contact_angle,
         tolerance=tolerance,
-        points=points,
+        points=tuple(points),
         law=law,
         pocket_law=fit_pocket_law(data) if thin else None,
         hertz_stiffness=hertz_quantities(finest[0].contact).stiffness,
@@ -439,7 +443,7 @@ def compare_series(
         warnings=(
             *bending,
             *((series_shoulder_warning(contact, load=min(over)),) if over else ()),
-            *solve_warnings(every, accuracy=accuracy, quantities=("approach",), thin=thin),
+            *solve_warnings(every, accuracy=accuracy, quantities=APPROACH, thin=thin),
             *((two_loads_warning(contact),) if law is not None and not data.redundant else ()),
         ),
     )
@@ -493,60 +497,15 @@ def _on_shared_meshes(
     return solved, len({id(part.bodies) for part in third})
 
 
-def _point_of(
-    part: MeshSolution | PixelSolution,
-    estimates: Estimates,
-    tangent: tuple[float | None, float | None],
-    *,
-    tolerance: float,
-    judged: bool,
-    valid: bool,
-) -> LoadPoint:
-    """One load of the series.
-
-    part : on the finest level;  tangent : stiffness and its uncertainty
-    judged : whether Hertz describes the bodies;  valid : whether the contact ends before its shoulder
-    """
-    hertz, load = vars(hertz_quantities(part.contact)), part.contact.load
-    found = {name: compared_with(each, hertz[name]) for name, each in estimates.items()}
-    if judged:
-        verdict = verdict_on(hertz["approach"], estimates["approach"], tolerance=tolerance, valid=valid)
-        found["approach"] = replace(found["approach"], verdict=verdict)
-    return LoadPoint(
-        load=load,
-        quantities=found,
-        tangent=tangent[0],
-        tangent_uncertainty=tangent[1],
-        hertz_tangent=1.5 * load / hertz["approach"],
-    )
-
-
-def _refined(
-    solved: dict[float, SolvedLoad], *, recipe: Recipe, tolerance: float, accuracy: float, progress: Progress
-) -> dict[float, SolvedLoad]:
+def _refined(solved: dict[float, SolvedLoad], wanted: Wanted) -> dict[float, SolvedLoad]:
     """The loads whose approach is too uncertain or whose verdict is undecided, each solved on its own meshes."""
-
-    def undecided(part: Estimate, contact: Contact) -> bool:
-        formula = hertz_quantities(contact).approach
-        return recipe.geometry != "wall" and could_be_decided(formula, part, tolerance=tolerance)
-
     refined = {}
     for number, (load, (mesh, estimates, _)) in enumerate(solved.items()):
-        contact, part = mesh.contact, estimates["approach"]
-        decided = mesh.shoulder is not None or not undecided(part, contact)  # at a shoulder Hertz is not judged
-        if part.mesh <= mesh_allowed(accuracy, domain=part.domain) and decided:
+        if wanted.is_met(mesh, estimates):
             continue
+        step = part_of(wanted.progress, number / len(solved), (number + 1) / len(solved))
         try:
-            single = solve_reference(
-                contact,
-                Wanted(
-                    recipe,
-                    accuracy,
-                    quantities=("approach",),
-                    undecided=lambda estimates, contact=contact: undecided(estimates["approach"], contact),
-                    progress=part_of(progress, number / len(solved), (number + 1) / len(solved)),
-                ),
-            )
+            single = solve_reference(mesh.contact, wanted._replace(progress=step))
         except InputError:  # an ellipse too wide for its own mesh: the result on its neighbour's stays
             continue
         refined[load] = SolvedLoad(single.meshes[-1], single.estimates, 0.0)

@@ -4,12 +4,14 @@ What a twin leaves of a mesh's error falls faster than the error itself: it is a
 and a hundredth on the second. The corrected values of the last two levels are extrapolated.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal, NamedTuple
 
 from analytic.progress import Progress, silent
 from analytic.scene import Contact
+from fembearing.check.comparison import could_be_decided
+from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.meshed_region import (
     FARTHER_LEFT,
     FARTHER_LEFT_ON_SECOND,
@@ -24,6 +26,7 @@ from fembearing.check.contact.meshed_region import (
     with_sides,
 )
 from fembearing.fem.guess import expected_semi_axes
+from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_on_level
 from fembearing.grid_convergence import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate, mesh_allowed, observed_order
@@ -83,8 +86,24 @@ class Wanted(NamedTuple):
     recipe: Recipe
     accuracy: float  # of the quantities, relative half-width
     quantities: Sequence[str] = COMPARED  # names of those that must reach it
-    undecided: Callable[[Estimates], bool] = lambda _: False  # whether a finer mesh is needed all the same
+    tolerance: float | None = None  # of a verdict on Hertz that a finer mesh shall decide, relative; None: no verdict
+    judged: Sequence[str] = tuple(FORMAL_ORDERS)  # names of the quantities that it is on
     progress: Progress = silent
+
+    def leaves_undecided(self, contact: Contact, estimates: Estimates) -> bool:
+        """Whether a finer mesh could decide a verdict although the accuracy is reached."""
+        if self.tolerance is None:
+            return False
+        hertz = vars(hertz_quantities(contact))
+        return any(could_be_decided(hertz[name], estimates[name], tolerance=self.tolerance) for name in self.judged)
+
+    def is_met(self, mesh: MeshSolution | PixelSolution, estimates: Estimates) -> bool:
+        """Whether the accuracy is reached, and no verdict is open; at a shoulder, where Hertz is not judged, none is."""
+        accurate = all(
+            estimates[name].mesh <= mesh_allowed(self.accuracy, domain=estimates[name].domain)
+            for name in self.quantities
+        )
+        return accurate and (mesh.shoulder is not None or not self.leaves_undecided(mesh.contact, estimates))
 
 
 def solve_reference(contact: Contact, wanted: Wanted) -> Reference:
@@ -116,7 +135,7 @@ def solve_by_levels(contact: Contact, wanted: Wanted) -> Reference:
 
     The first two levels predict the level that reaches the accuracy; where it does not, finer ones follow.
     """
-    recipe, accuracy, quantities, undecided, progress = wanted
+    recipe, progress = wanted.recipe, wanted.progress
     progress(0.0, f"{contact.pair}: size of the contact")
     second = fitted_solution(contact, recipe=recipe)
     progress(0.2, f"{contact.pair}: far boundary")
@@ -126,7 +145,7 @@ def solve_by_levels(contact: Contact, wanted: Wanted) -> Reference:
         boundary = with_sides(boundary, second, *each_side(second, recipe=recipe), farther=farther)
     first = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=second.pair.semi_axes)
     meshes, estimates = [first, second], {}
-    allowed = {name: mesh_allowed(accuracy, domain=boundary[name].domain) for name in quantities}
+    allowed = {name: mesh_allowed(wanted.accuracy, domain=boundary[name].domain) for name in wanted.quantities}
     predicted = _predicted_level(meshes, recipe=recipe, allowed=allowed)
     finer = [level for level in recipe.levels if level >= predicted]
     for number, level in enumerate(finer):
@@ -134,8 +153,7 @@ def solve_by_levels(contact: Contact, wanted: Wanted) -> Reference:
         progress(0.3 + 0.7 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
         meshes.append(solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=second.pair.semi_axes))
         estimates = {name: replace(part, **vars(boundary[name])) for name, part in estimates_of(meshes).items()}
-        accurate = all(estimates[name].mesh <= limit for name, limit in allowed.items())
-        if accurate and (second.shoulder is not None or not undecided(estimates)):
+        if wanted.is_met(second, estimates):
             break
     shoulder = {name: part for name, part in estimates.items() if name not in FORMAL_ORDERS}
     return Reference(
@@ -191,7 +209,7 @@ def solve_by_twin(contact: Contact, wanted: Wanted) -> Reference | None:
     enough.
     None where a twin says nothing: the contact is cut off by a shoulder, or far from the ellipse expected.
     """
-    recipe, accuracy, quantities, undecided, progress = wanted
+    recipe, progress = wanted.recipe, wanted.progress
     progress(0.0, f"{contact.pair}: size of the contact")
     coarse = twin_on_level(
         contact, recipe=recipe, level=recipe.levels[0], start=expected_semi_axes(contact, geometry="real")
@@ -224,13 +242,11 @@ def solve_by_twin(contact: Contact, wanted: Wanted) -> Reference | None:
             both = each_side(solution.mesh, recipe=recipe) if has_sides(solution.mesh, recipe=recipe) else ()
             boundary = region(coarse, left=FARTHER_LEFT)
         estimates = estimated()
-        if on_first and (any(estimates[name].total > accuracy for name in quantities) or undecided(estimates)):
+        rough = any(estimates[name].total > wanted.accuracy for name in wanted.quantities)
+        if on_first and (rough or wanted.leaves_undecided(contact, estimates)):
             boundary, on_first = region(solutions[1], left=FARTHER_LEFT_ON_SECOND), False
             estimates = estimated()
-        accurate = all(
-            estimates[name].mesh <= mesh_allowed(accuracy, domain=estimates[name].domain) for name in quantities
-        )
-        if accurate and not undecided(estimates):
+        if wanted.is_met(solution.mesh, estimates):
             break
     return Reference(
         meshes=tuple(solution.mesh for solution in solutions), estimates=estimates, shoulder={}, refinement="twin"

@@ -21,12 +21,13 @@ from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.parts import Given, with_tolerance
 from analytic.units import METRIC
-from fembearing.check.comparison import Comparison, ShownVerdict, compared_with, could_be_decided, verdict_on, worst
+from fembearing.check.comparison import Comparison, ShownVerdict, worst
 from fembearing.check.contact.hertz import (
     ApproachCurve,
     CorrectedHertz,
     Profiles,
     approach_over_load,
+    beside_hertz,
     corrected_hertz,
     hertz_quantities,
     profiles_of,
@@ -399,20 +400,12 @@ def compare_contact(
     hertz = hertz_quantities(contact)
     thin = geometry == "wall"
     quantities = SHOWN_OF_A_SHEET if thin else COMPARED
-
-    def undecided(estimates: Estimates) -> bool:
-        return not thin and any(
-            could_be_decided(getattr(hertz, name), part, tolerance=tolerance) for name, part in estimates.items()
-        )
-
-    reference = solve_reference(contact, Wanted(recipe, accuracy, quantities, undecided, progress))
+    limit = None if thin else tolerance
+    reference = solve_reference(contact, Wanted(recipe, accuracy, quantities, limit, progress=progress))
     meshes, finest = reference.meshes, reference.meshes[-1]
     overrun = near_shoulder(finest, contact)
-    compared = {}
-    for name, part in reference.estimates.items():
-        formula = getattr(hertz, name)
-        verdict = "shown" if thin else verdict_on(formula, part, tolerance=tolerance, valid=not overrun)
-        compared[name] = compared_with(part, formula, verdict=verdict)
+    judged = () if thin else FORMAL_ORDERS
+    compared = beside_hertz(hertz, reference.estimates, tolerance=tolerance, valid=not overrun, judged=judged)
     correctable = is_correctable(contact, geometry)
     corrected, beyond = corrected_hertz(contact, hertz=hertz) if correctable else (None, ())
     values = {} if corrected is None else vars(corrected.quantities)
