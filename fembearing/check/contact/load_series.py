@@ -48,6 +48,7 @@ from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.series import checked_loads, off_mesh, on_level, solve_series
 from fembearing.fem.solution import MeshSolution
 from fembearing.grid_convergence import Estimate
+from fembearing.mesh.footprint import Sides
 from fembearing.mesh.recipe import Geometry, Recipe
 from fembearing.quantities import CONTACT_COLUMNS, VERDICT
 
@@ -481,19 +482,21 @@ def _on_shared_meshes(
     second = solve_series(contact, recipe=recipe, level=middle, loads=loads)
     progress(0.3, f"{contact.pair}: far boundary")
     bounded = has_boundary(second[0], recipe=recipe)
-    larger = on_level(second, recipe=recipe, level=middle, extended=True) if bounded else (None,) * len(loads)
+    larger = on_level(second, recipe=recipe, level=middle, extended=True) if bounded else ()
     # Where one load needs the true sides all get them; a mesh that is cut off is half of the contact already.
     sided = any(has_sides(part, recipe=recipe) for part in second)
-    both = [
-        on_level(second, recipe=recipe, level=middle, sides=side) if sided else (None,) * len(loads)
-        for side in ("above", "below")
-    ]
+    sides: tuple[Sides, ...] = ("above", "below") if sided else ()
+    both = [on_level(second, recipe=recipe, level=middle, sides=side) for side in sides]
     progress(0.5, f"{contact.pair}: level {fine}")
     third = on_level(second, recipe=recipe, level=fine)
-    solved = {
-        parts[1].contact.load: SolvedLoad(parts[1], {"approach": _approach(*parts)}, off_mesh_uncertainty(parts[1]))
-        for parts in zip(second, third, larger, *both, strict=True)
-    }
+    solved = {}
+    for number, (coarse, mesh) in enumerate(zip(second, third, strict=True)):
+        region = boundary_effect(coarse, larger[number]) if bounded else {"approach": Boundary()}
+        if sided:
+            region = with_sides(region, coarse, *(side[number] for side in both), farther=None)
+        part, off = estimates_of((coarse, mesh))["approach"], off_mesh_uncertainty(mesh)
+        part = replace(part, mesh=part.mesh + off, **vars(region["approach"]))
+        solved[mesh.contact.load] = SolvedLoad(mesh, {"approach": part}, off)
     return solved, len({id(part.bodies) for part in third})
 
 
@@ -515,17 +518,3 @@ def _refined(solved: dict[float, SolvedLoad], wanted: Wanted) -> dict[float, Sol
 def off_mesh_uncertainty(solution: MeshSolution) -> float:
     """Relative uncertainty of an approach whose ellipse differs from that of its mesh."""
     return OFF_MESH * min(1.0, off_mesh(solution) / OFF_FROM)
-
-
-def _approach(
-    second: MeshSolution,
-    third: MeshSolution,
-    larger: MeshSolution | None,
-    above: MeshSolution | None,
-    below: MeshSolution | None,
-) -> Estimate:
-    estimate = estimates_of((second, third))["approach"]
-    boundary = {"approach": Boundary()} if larger is None else boundary_effect(second, larger)
-    if above is not None and below is not None:
-        boundary = with_sides(boundary, second, above, below, farther=None)
-    return replace(estimate, mesh=estimate.mesh + off_mesh_uncertainty(third), **vars(boundary["approach"]))

@@ -20,10 +20,11 @@ from analytic.errors import InputError
 from analytic.rows import NotNegative
 from analytic.scene import Contact
 from fembearing.fem.ring_structure import block_compression, ring_compression
+from fembearing.fem.series import on_level
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_factors
 from fembearing.grid_convergence import FINEST, Estimate
-from fembearing.mesh.footprint import is_symmetric
+from fembearing.mesh.footprint import Sides, is_symmetric
 from fembearing.mesh.recipe import Recipe
 
 # The effect of the far boundary on the pressure falls with this power of the block's size: a block twice as large shows
@@ -72,8 +73,9 @@ def far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, Boundary]:
     It is 0 for half spaces: their far boundary is given the displacement of the half space, exact to the second moments
     of the pressure. It is 0 for a sheet, which has no such boundary.
     """
-    known = has_boundary(mesh, recipe=recipe)
-    return boundary_effect(mesh, _larger(mesh, recipe=recipe)) if known else dict.fromkeys(measured(mesh), Boundary())
+    if not has_boundary(mesh, recipe=recipe):
+        return dict.fromkeys(measured(mesh), Boundary())
+    return boundary_effect(mesh, *on_level([mesh], recipe=recipe, level=mesh.level, extended=True))
 
 
 def has_sides(mesh: MeshSolution, *, recipe: Recipe) -> bool:
@@ -92,12 +94,8 @@ def sides_matter(contact: Contact, *, transverse: float) -> bool:
 
 def each_side(mesh: MeshSolution, *, recipe: Recipe) -> list[MeshSolution]:
     """A quarter with the true side y > 0, and one with the true side y < 0."""
-    return [
-        solve_on_mesh(
-            mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, sides=side, upper=mesh.upper
-        )
-        for side in ("above", "below")
-    ]
+    sides: tuple[Sides, ...] = ("above", "below")
+    return [part for side in sides for part in on_level([mesh], recipe=recipe, level=mesh.level, sides=side)]
 
 
 def sides_farther(contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> float | None:
@@ -121,9 +119,7 @@ def sides_farther(contact: Contact, *, recipe: Recipe, level: int, semi_axes: tu
 def with_sides(
     boundary: dict[str, Boundary],
     mesh: MeshSolution,
-    above: MeshSolution,
-    below: MeshSolution,
-    *,
+    *each: MeshSolution,
     farther: float | None,
     left: float = FARTHER_LEFT,
 ) -> dict[str, Boundary]:
@@ -134,7 +130,7 @@ def with_sides(
     farther : from `sides_farther`
     left : share of it that stays as uncertainty
     """
-    even, *both = (measured(part) for part in (mesh, above, below))
+    even, *both = (measured(part) for part in (mesh, *each))
     sides = {name: (both[0][name] + both[1][name]) / (2 * value) - 1 if value else 0.0 for name, value in even.items()}
     return with_effect_of_sides(
         boundary, sides, mesh.contact, transverse=mesh.pair.semi_axes[1], farther=farther, left=left
@@ -183,7 +179,8 @@ def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, Bound
 
 def boundary_effect_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict[str, Boundary]:
     """The same with twins of both blocks: the added cells change the error of the mesh."""
-    mesh, larger = solution.mesh, _larger(solution.mesh, recipe=recipe)
+    mesh = solution.mesh
+    (larger,) = on_level([mesh], recipe=recipe, level=mesh.level, extended=True)
     after = TwinSolution(mesh=larger, factors=twin_factors(larger, recipe=recipe, extended=True)).corrected
     growth = _growth(mesh, larger)
     found = effects(changes(solution.corrected, after), growth=growth, left=LEFT_WITH_TWIN)
@@ -192,12 +189,6 @@ def boundary_effect_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict
         name: replace(part, domain=part.domain + LEFT_BY_TWIN * abs(part.beyond - plain[name].beyond))
         for name, part in found.items()
     }
-
-
-def _larger(mesh: MeshSolution, *, recipe: Recipe) -> MeshSolution:
-    return solve_on_mesh(
-        mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, extended=True, upper=mesh.upper
-    )
 
 
 def changes(before: dict[str, float], after: dict[str, float]) -> dict[str, float]:

@@ -98,7 +98,7 @@ class Wanted(NamedTuple):
         return any(could_be_decided(hertz[name], estimates[name], tolerance=self.tolerance) for name in self.judged)
 
     def is_met(self, mesh: MeshSolution | PixelSolution, estimates: Estimates) -> bool:
-        """Whether the accuracy is reached, and no verdict is open; at a shoulder, where Hertz is not judged, none is."""
+        """Whether the accuracy is reached and no verdict is open; at a shoulder, where Hertz is not judged, none is."""
         accurate = all(
             estimates[name].mesh <= mesh_allowed(self.accuracy, domain=estimates[name].domain)
             for name in self.quantities
