@@ -406,7 +406,7 @@ def compare_contact(
     overrun = near_shoulder(finest, contact)
     judged = () if thin else FORMAL_ORDERS
     compared = beside_hertz(hertz, reference.estimates, tolerance=tolerance, valid=not overrun, judged=judged)
-    correctable = is_correctable(contact, geometry)
+    correctable = geometry == "real" and contact.pair != "pocket"  # ball and race in their true shapes
     corrected, beyond = corrected_hertz(contact, hertz=hertz) if correctable else (None, ())
     values = {} if corrected is None else vars(corrected.quantities)
     part = "half of the contact, " if finest.pair.footprint.half else ""
@@ -461,8 +461,3 @@ def _shoulder(contact: Contact, reference: Reference, hertz: Quantities) -> Shou
             for name, part in reference.shoulder.items()
         },
     )
-
-
-def is_correctable(contact: Contact, geometry: Shape) -> bool:
-    """Whether the correction for finite geometry applies: to ball and race in their true shapes."""
-    return geometry in ("real", "ring") and contact.pair != "pocket"

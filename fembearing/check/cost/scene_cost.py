@@ -64,7 +64,6 @@ from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.provenance import Provenance, provenance_of
 
 Declared = tuple[str, list[Candidate]]  # what the last method that may refer is, in words, and the methods
-HERTZ_FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach")
 # Relative change of the heaviest ball's load per share of centrifugal force and of gyroscopic pull in it: a larger
 # inner angle unloads the inner race. Chosen on random scenes (validation/benchmarks/choices.py).
 PER_CENTRIFUGAL, PER_PULL = 1.5, 1.5
@@ -99,16 +98,15 @@ COMPLIANCE_BOUNDS = {1: 0.008, 2: 0.001}
 def hertz(scene: Scene) -> Declared:
     """Fitted and exact Hertz, both races in one call."""
     contacts = [contact_of(scene, pair=race) for race in RACES]
-    names = ("curvature_x", "curvature_y")
-    curvatures = dict(zip(names, np.transpose([relative_curvatures(each) for each in contacts]), strict=True))
-    load = np.array([each.load for each in contacts])
-    modulus = np.array([contact_modulus(each.ball_material, each.race_material) for each in contacts])
-    fitted, exact = (
-        partial(f, **curvatures, load=load, modulus=modulus) for f in (hertz_contact_fitted, hertz_contact)
-    )
-    numbers = attrgetter(*HERTZ_FIELDS)
+    x, y = np.transpose([relative_curvatures(each) for each in contacts])
+    given = {
+        "load": np.array([each.load for each in contacts]),
+        "modulus": np.array([contact_modulus(each.ball_material, each.race_material) for each in contacts]),
+    }
+    fitted, exact = (partial(f, curvature_x=x, curvature_y=y, **given) for f in (hertz_contact_fitted, hertz_contact))
+    numbers = attrgetter("semi_axis_x", "semi_axis_y", "peak_pressure", "approach")
     return "exact Hertz; worst of semi-axes, peak pressure and approach of 2 contacts", [
-        Candidate("fitted", fitted, numbers, float(np.max(fitted_error(**curvatures)))),
+        Candidate("fitted", fitted, numbers, float(np.max(fitted_error(curvature_x=x, curvature_y=y)))),
         Candidate("exact", exact, numbers, ROUND_OFF, may_refer=True),
     ]
 
@@ -206,10 +204,7 @@ def friction(scene: Scene) -> Declared:
     """Torque of the races by the nodes that integrate sliding over the ellipses, with closed kinematics."""
     _require_sliding(scene)
     closed = replace(scene, spin_rule="balanced") if scene.spin_rule == "free" else scene
-    return f"sliding integrated over the ellipses; {_worst(scene)}", [
-        _torque(f"over ellipses, from {n} by {m} nodes", replace(closed, tolerance=tolerance))
-        for (n, m), tolerance in zip(ELLIPSE_NODES, LEVELS, strict=True)
-    ]
+    return f"sliding integrated over the ellipses; {_worst(scene)}", _by_nodes("over ellipses", closed, ELLIPSE_NODES)
 
 
 def turning(scene: Scene) -> Declared:
@@ -225,10 +220,7 @@ def turning(scene: Scene) -> Declared:
     return f"torque of free balls, creep marched through many nodes; {_worst(scene)}", [
         _torque("rule of balanced spin", replace(scene, spin_rule="balanced"))._replace(bound=None),
         _torque("free balls without creep", rigid)._replace(bound=None),
-        *(
-            _torque(f"with marched creep, from {n} by {m} nodes", replace(free, tolerance=tolerance))
-            for (n, m), tolerance in zip(FREE_NODES, LEVELS, strict=True)
-        ),
+        *_by_nodes("with marched creep", free, FREE_NODES),
     ]
 
 
@@ -245,11 +237,17 @@ def _worst(scene: Scene) -> str:
     return f"worst of {scene.operation.as_series().axial_load.size} operating points"
 
 
+def _by_nodes(words: str, scene: Scene, nodes: Sequence[tuple[int, int]]) -> list[Candidate]:
+    return [
+        _torque(f"{words}, from {n} by {m} nodes", replace(scene, tolerance=tolerance))
+        for (n, m), tolerance in zip(nodes, LEVELS, strict=True)
+    ]
+
+
 def _torque(name: str, scene: Scene) -> Candidate:
-    run = partial(friction_torque, replace(scene, effects={**scene.effects, "cage": "off"}))
     return Candidate(
         name,
-        run,
+        partial(friction_torque, replace(scene, effects={**scene.effects, "cage": "off"})),
         answer=lambda found: found.settled().torque.race,
         bound=lambda found: float(np.max(found.numerical_uncertainty)),
         may_refer=scene.tolerance == LEVELS[-1],
