@@ -212,17 +212,9 @@ class ContactSolution(Brief):
         return f"{f'{found.bearing}-' if found.bearing else ''}{found.pair}-{found.geometry}"
 
     def plot(self) -> "Figure":
-        """Pressure along both axes by finite elements and by Hertz, as the report has it.
+        """Pressure, GPa, along both axes over the position in semi-axes, as the report has it; below, nodes less Hertz.
 
-        Returns
-        -------
-        matplotlib.figure.Figure
-            GPa over the position in semi-axes; below, the nodes less Hertz.
-
-        Raises
-        ------
-        MissingPackageError
-            Matplotlib is not installed.
+        Raises MissingPackageError where Matplotlib is not installed.
         """
         require_packages("a figure", "matplotlib")
         from fembearing.check.contact.figure import DrawnPressure, pressure_figure

@@ -169,17 +169,9 @@ class RaceFilm(Brief):
         yield from (found.pair, f"{found.load:.4g} N", f"film {1e6 * film.reference:.4g} um")
 
     def plot(self) -> "Figure":
-        """Maps of pressure and film, and both along the line of rolling, as the report has them.
+        """Maps of pressure, GPa, and film, um, and both along the line of rolling, mm, as the report has them.
 
-        Returns
-        -------
-        matplotlib.figure.Figure
-            GPa, um and mm.
-
-        Raises
-        ------
-        MissingPackageError
-            Matplotlib is not installed.
+        Raises MissingPackageError where Matplotlib is not installed.
         """
         require_packages("a figure", "matplotlib")
         from fembearing.check.film.figure import film_figure

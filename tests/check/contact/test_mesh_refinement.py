@@ -19,20 +19,9 @@ from fembearing.check.contact.refinement import (
     Wanted,
     solve_reference,
 )
-from fembearing.fem.measure import Quantities, ShoulderLoad
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.grid_convergence import FINEST
 from fembearing.mesh.recipe import load_recipe
-
-ORDER = 3.0  # of a semi-axis
-
-
-def coarse_and_fine(change: float) -> list[Any]:
-    """The first two levels, a semi-axis apart by `change`."""
-    return [
-        SimpleNamespace(level=1, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3 * (1 + change))),
-        SimpleNamespace(level=2, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3)),
-    ]
 
 
 @pytest.mark.parametrize(
@@ -83,12 +72,3 @@ def test_the_sides_of_a_steep_contact_are_those_of_a_finer_mesh(contacts: dict[s
         # Half differs from the mean of its quarters by 1.5e-5, in the stiffness by more; intervals hold FINEST besides.
         allowed = left[name] * largest + FINEST / 2 + abs(power) * FARTHER_LEFT * abs(lands)
         assert abs(part.sides - sides) < allowed, name
-
-
-def level_of(level: int, *, shoulder: ShoulderLoad | None = None, **values: float) -> Any:
-    """A solved level with these in place of the usual quantities."""
-    usual = Quantities(
-        semi_axis_rolling=0.12e-3, semi_axis_transverse=0.7e-3, peak_pressure=2.1e9, approach=6.2e-6, stiffness=2.4e10
-    )
-    pair = SimpleNamespace(semi_axes=(0.12e-3, 0.7e-3))
-    return SimpleNamespace(level=level, quantities=replace(usual, **values), shoulder=shoulder, pair=pair)
