@@ -51,12 +51,7 @@ from fembearing.check.contact.scene_contact import (
     recipe_of,
     traced_to_load,
 )
-from fembearing.check.contact.warnings import (
-    near_shoulder,
-    sheet_warnings,
-    shoulder_warning,
-    solve_warnings,
-)
+from fembearing.check.contact.warnings import near_shoulder, sheet_warnings, shoulder_warning, solve_warnings
 from fembearing.check.memory import peak_memory
 from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.nodal_stress import stress_at_nodes, von_mises

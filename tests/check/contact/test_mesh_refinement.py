@@ -15,10 +15,7 @@ from fembearing.check.contact.meshed_region import (
     has_sides,
     sides_farther,
 )
-from fembearing.check.contact.refinement import (
-    Wanted,
-    solve_reference,
-)
+from fembearing.check.contact.refinement import Wanted, solve_reference
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.grid_convergence import FINEST
 from fembearing.mesh.recipe import load_recipe
