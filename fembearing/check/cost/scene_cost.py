@@ -25,7 +25,7 @@ from analytic.errors import FembearingError, InputError, require_positive
 from analytic.free_ball.rotation import LEVELS as FREE_NODES
 from analytic.loads.inertia import moment_of_turned_axis, outward_force
 from analytic.loads.kinematics import BallMotion, ball_kinematics
-from analytic.loads.numbers import free_angle
+from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.state import approaches
 from analytic.loads.thrust import thrust_equilibrium, thrust_equilibrium_frozen
@@ -158,11 +158,9 @@ def _thrust(scene: Scene, angle: float | None = None, points: int | slice = slic
 
 
 def _free_angle(scene: Scene) -> float:
-    rule = scene.contact_angle
-    free = free_angle(scene.bearing) if rule.free is None else rule.free
+    _, free = play_and_free_angle(scene.bearing, scene.contact_angle)
     if not free:
-        preloaded = "a preloaded bearing has no free contact angle"
-        raise InputError(preloaded if free is None else "at a free contact angle of 0 no ball carries thrust")
+        raise InputError("no ball carries thrust at a free contact angle of 0, and a preload has none")
     return free
 
 
@@ -326,16 +324,14 @@ def cage(scene: Scene) -> Declared:
         given,
         friction_coefficient=float(closed_form().friction_coefficient[0]),
         inner_speed=speed,
-        orbit_speed=speed * float(drive.orbit_rate[0]),
-        ball_speed=speed * float(drive.ball_rate[0]),
+        orbit_speed=float(drive.orbit_speed[0]),
+        ball_speed=float(drive.ball_speed[0]),
         contact_angle=float(drive.contact_angle[0]),
     )
     driven = replace(level, ball_lead=float(drive.grip.ball_lead[0]))
     start, duration = given.start or "rest", min(max(DURATION, driven.crossing_time), given.duration)
-    longer, how = (
-        given.seeds * given.duration / (SEEDS * duration),
-        {"start": start, "seeds": SEEDS, "duration": duration},
-    )
+    longer = given.seeds * given.duration / (SEEDS * duration)
+    how = {"start": start, "seeds": SEEDS, "duration": duration}
     words = f'motion in the finest steps, from "{start}", {SEEDS} seeds of {duration:.3g} s at {speed_of(speed)}'
     return f"{words}; the motion of the scene takes {longer:.3g} times as long", [
         # No closed form bounds what this one leaves out: only the motion shows it.
