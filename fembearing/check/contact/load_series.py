@@ -75,21 +75,6 @@ class StiffnessLaw:
     propagated: float  # of the exponent, from uncertain approaches
     exponent_uncertainty: float | None  # absolute, 95 %: the sum of both parts, as they may depend on each other
 
-    def load(self, approach: ArrayLike) -> Array:
-        """Load of the fitted law.
-
-        Parameters
-        ----------
-        approach : array_like, any shape
-            delta, m.
-
-        Returns
-        -------
-        ndarray
-            F, N, of the shape of approach.
-        """
-        return self.stiffness * np.asarray(approach, dtype=np.float64) ** self.exponent
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LawData:
@@ -192,22 +177,6 @@ class PocketLaw:
     stiffness_uncertainty: float | None
     sheet: float  # k, N/m
     sheet_uncertainty: float | None
-
-    def approach(self, load: ArrayLike) -> Array:
-        """Approach of the fitted law.
-
-        Parameters
-        ----------
-        load : array_like, any shape
-            F, N.
-
-        Returns
-        -------
-        ndarray
-            delta, m, of the shape of load.
-        """
-        force = np.asarray(load, dtype=np.float64)
-        return (force / self.stiffness) ** (2 / 3) + force / self.sheet
 
 
 def fit_pocket_law(data: LawData) -> PocketLaw | None:
