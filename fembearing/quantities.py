@@ -7,6 +7,7 @@ which knows nothing of this package.
 from typing import NamedTuple
 
 from analytic.columns import COLUMNS, COORDINATES
+from analytic.labelled import Column
 from analytic.units import GIGA, MICRO, STIFFNESS, Units, unit_for
 from analytic.units import INCH_POUND as INCH_POUND
 from analytic.units import METRIC as METRIC
@@ -63,6 +64,22 @@ QUANTITIES: dict[str, Quantity] = {
     "rms_roughness": Quantity("rms roughness", "Sq", "m", MICRO, "rms roughness"),
     "conformity": Quantity("conformity", "", "1", Unit("", 1.0), "conformity, groove radius over ball diameter"),
 }
+VERDICT = "verdict"  # a column of words beside those of numbers
+CONTACT_COLUMNS: dict[str, Column] = {  # of a solved contact
+    "load": Column("N", QUANTITIES["load"].meaning),
+    "contact_angle": Column("rad", "contact angle"),
+    **{
+        f"{prefix}{name}": Column(unit or each.unit, words.format(each.meaning))
+        for prefix, unit, words in (
+            ("", "", "{}, finite elements"),
+            ("uncertainty_", "1", "numerical uncertainty of the {}, relative, 95 %"),
+            ("hertz_", "", "{}, Hertz"),
+            ("discrepancy_", "1", "discrepancy of Hertz's {}, over finite elements minus one"),
+        )
+        for name, each in CONTACT.items()
+    },
+    "unknowns": Column("1", "unknowns of the finest mesh"),
+}
 SHARES = ("uncertainty_", "asperity_share", "boundary_share")  # pure numbers that are shown in percent
 OF_A_RACE = ("_inner", "_outer")
 
@@ -78,3 +95,8 @@ def shown_unit(name: str, unit: str) -> Unit:
     if unit in ("m", "Pa") or stem == "load":
         return QUANTITIES[stem].shown
     return unit_for(unit, 0.0)
+
+
+def about(seconds: float) -> str:
+    """A duration in words: one digit, in seconds or minutes."""
+    return f"about {round(seconds / 60):d} min" if seconds >= 90 else f"about {float(f'{seconds:.1g}'):g} s"

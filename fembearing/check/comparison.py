@@ -7,10 +7,12 @@ The model's error lies within E +- u_val, half-widths at 95 %; where |E| <= u_va
 model, this is a cross-check, not a validation.
 """
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Literal, overload
 
+from analytic.errors import InputError
 from analytic.rows import NotNegative
 from analytic.verdicts import Verdict
 from fembearing.grid_convergence import Estimate
@@ -52,7 +54,15 @@ def compared(
     verdict: ShownVerdict = "shown",
     study: Estimate | None = None,
 ) -> Comparison:
-    """Production beside a reference; arguments as the fields of `Comparison`."""
+    """Production beside a reference; arguments as the fields of `Comparison`.
+
+    Raises InputError for a number that is not finite, so that no face of the result shows it.
+    """
+    if not all(map(math.isfinite, (production, reference, uncertainty))):
+        raise InputError(
+            f"production gives {production:g}, the reference {reference:g} +- {uncertainty:g}: the numbers of the "
+            "scene are outside the computable range; give usual ones"
+        )
     known = abs(reference) > uncertainty
     return Comparison(
         formula=formula,

@@ -20,9 +20,8 @@ from analytic.prediction.spreads import UncertainInput, uncertain_inputs
 from analytic.rows import OperatingPoint
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
-from fembearing.check.contact.bearings import bearings_of
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.scene_contact import heaviest_contact
+from fembearing.check.contact.scene_contact import bearings_of, heaviest_contact
 from fembearing.quantities import unit_for
 
 SAME = 1e-9  # relative: torques at two points that differ by less are one
@@ -96,17 +95,17 @@ def sensitivity_of(scene: Scene) -> Sensitivity:
 
 def _moved(given: UncertainInput, base: Array, values_at: Callable[[float], Array]) -> Input:
     """One input at both ends of its range; values_at : its score gives the outputs, whose values now are `base`."""
-    changes: list[tuple[float, ...] | None] = []
-    refused, ends = [], [float(given.at(np.asarray(score))) for score in (-END, END)]
     unit = given.unit.replace("*", " ") or "1"
-    for score, value in zip((-END, END), ends, strict=True):
+    ends = [float(given.at(np.asarray(score))) for score in (-END, END)]
+    changes: list[tuple[float, ...] | None] = [None, None]
+    refused = []
+    for end, score in enumerate((-END, END)):
         try:
             after = values_at(score)
         except FembearingError as problem:
-            changes.append(None)
-            refused.append(f"{unit_for(unit, given.value).written(value, '.4g')}: {problem}")
-            continue
-        changes.append(tuple((np.divide(after, base, out=np.ones_like(base), where=base != 0) - 1).tolist()))
+            refused.append(f"{unit_for(unit, given.value).written(ends[end], '.4g')}: {problem}")
+        else:
+            changes[end] = tuple((np.divide(after, base, out=np.ones_like(base), where=base != 0) - 1).tolist())
     return Input(
         name=given.key,
         unit=unit,
@@ -124,11 +123,12 @@ Varied = tuple[tuple[UncertainInput, ...], Callable[[Array], Array], list[Output
 
 
 def _torques(scene: Scene) -> Varied:
-    order = np.lexsort((scene.operation.axial_load, np.abs(scene.operation.inner_speed)))
-    ends = list(dict.fromkeys([int(order[0]), int(order[-1])]))
+    operation = scene.operation.as_series()
+    order = np.lexsort((operation.axial_load, np.abs(operation.inner_speed)))
+    ends = np.array(list(dict.fromkeys([order[0], order[-1]])))
     # A cage whose pockets are too narrow for its balls moves with them unless both are off: minutes for each input.
     at_rest = {"cage_dynamics": "off", "ball_dynamics": "off"}
-    varied = at_points(replace(scene, effects={**scene.effects, **at_rest}), ends)
+    varied = replace(scene, operation=operation.at(ends), effects={**scene.effects, **at_rest})
     friction = friction_torque(varied)
     problem = problem_of(varied, friction, uncertain_inputs(varied))
     shown = slice(1 if np.ptp(friction.torque.total) <= SAME * friction.torque.total.max() else None)
@@ -159,11 +159,3 @@ def _pressures(scene: Scene) -> Varied:
         for race, value in zip(RACES, peaks(np.zeros(len(inputs))), strict=True)
     ]
     return inputs, peaks, outputs
-
-
-def at_points(scene: Scene, points: list[int]) -> Scene:
-    """The scene at some of its operating points, from 0."""
-    operation = scene.operation
-    shape = operation.inner_speed.shape
-    picked = {name: np.broadcast_to(values, shape)[points] for name, values in operation.points.items()}
-    return replace(scene, operation=replace(operation, **picked))

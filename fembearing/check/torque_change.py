@@ -67,11 +67,6 @@ class TorqueChange(Brief):
         return NOT_FITTED if of_pair or self.fitted is not None else FITTED
 
     @property
-    def fitting_warnings(self) -> tuple[str, ...]:
-        """Where the fit for finite geometry ends; none where the production has it, which warns itself."""
-        return () if self.fitted is None else self.fitted.warnings
-
-    @property
     def is_solved(self) -> np.ndarray:
         """(n,) whether a point has the ball load that was solved, dimensionless: elsewhere the change is unknown."""
         load = self.own.ball_load
@@ -121,7 +116,13 @@ def change_of_torque(
     Raises InputError as friction_torque does.
     """
     races = replace(scene, effects={**scene.effects, **CAGE_OFF})
-    own, corrected = friction_torque(races), _corrected(races, factors(inner), factors(outer))
+
+    def corrected(*, up_inner: str = "", up_outer: str = "") -> FrictionTorque:
+        """With the contacts of finite elements, and one factor of either race moved up by its uncertainty."""
+        both = ContactCorrection(inner=factors(inner, up=up_inner), outer=factors(outer, up=up_outer))
+        return friction_torque(races, correction=both)
+
+    own, found = friction_torque(races), corrected()
     solved = int(np.argmax(own.ball_load))
 
     def outcome(torque: FrictionTorque) -> dict[str, float]:
@@ -130,20 +131,17 @@ def change_of_torque(
         parts |= {"total": _total(production, own, torque), "contact_angle": torque.contact_angle}
         return {name: float(part[solved]) for name, part in parts.items() if part is not None}
 
-    expected = outcome(corrected)
+    expected = outcome(found)
     spread = dict.fromkeys(expected, 0.0)
     for name in FACTORS:  # one input at a time, moved by its whole uncertainty; added: they may hang together
-        for moved in (
-            _corrected(races, factors(inner, up=name), factors(outer)),
-            _corrected(races, factors(inner), factors(outer, up=name)),
-        ):
+        for moved in (corrected(up_inner=name), corrected(up_outer=name)):
             for part, value in outcome(moved).items():
                 if value != expected[part]:  # a part that is 0 either way is sure
                     spread[part] += abs(value / expected[part] - 1)
     return TorqueChange(
         production=production,
         own=own,
-        corrected=corrected,
+        corrected=found,
         uncertainties=spread,
         fitted=_fitted(races, production, own)
         if production.pair is None and not production.is_on("finite_geometry")
@@ -196,7 +194,3 @@ def factors(solution: ContactSolution, *, up: str = "") -> ContactFactors:
         return (1 + each.uncertainty / each.reference if name == up else 1) / (1 + each.difference)
 
     return ContactFactors(**{name: over_hertz(name) for name in FACTORS})
-
-
-def _corrected(scene: Scene, inner: ContactFactors, outer: ContactFactors) -> FrictionTorque:
-    return friction_torque(scene, correction=ContactCorrection(inner=inner, outer=outer))

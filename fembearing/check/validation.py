@@ -3,6 +3,7 @@
 import time
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -22,13 +23,10 @@ from analytic.scenefile.parts import Given, with_tolerance
 from analytic.verdicts import Compared, Overall, Verdict, Verdicts, pressure_check
 from fembearing.check.cage_record import CageRecord, record_cage
 from fembearing.check.comparison import ShownVerdict, verdict_within, worst
-from fembearing.check.contact.bearings import OneBearing, bearings_of, which_bearing
-from fembearing.check.contact.columns import COLUMNS, VERDICT
-from fembearing.check.contact.scene_contact import balls_of, contact_of
+from fembearing.check.contact.scene_contact import OneBearing, balls_of, bearings_of, contact_of, which_bearing
 from fembearing.check.contact.solution import ContactSolution, solve_contact, with_ring
-from fembearing.check.cost.contact_ladder import contact_ladder_of
 from fembearing.check.cost.ladder import Ladder
-from fembearing.check.cost.scene_cost import SEED, measure_cost
+from fembearing.check.cost.scene_cost import SEED, contact_ladder_of, measure_cost
 from fembearing.check.creep.scene_creep import SceneCreep, creep_of
 from fembearing.check.film.scene_film import RaceFilm, film_change, film_of
 from fembearing.check.hard_record import HardRecord, last_run
@@ -38,11 +36,12 @@ from fembearing.check.sensitivity import Sensitivity, sensitivity_of
 from fembearing.check.torque_change import TorqueChange, change_of_torque
 from fembearing.mesh.recipe import Geometry
 from fembearing.provenance import Provenance, provenance_of
+from fembearing.quantities import CONTACT_COLUMNS, VERDICT
 
 # Contacts with the seconds that they took on one machine, for the progress alone.
 RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
 POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("pocket", "wall", 10.0))  # seat, sheet
-FILM_SECONDS, CREEP_SECONDS, COST_SECONDS = 8.0, 3.0, 45.0
+FILM_SECONDS, CREEP_SECONDS, COST_SECONDS = 4.0, 3.0, 45.0  # of a race, of a bearing, of all
 CREEP_TOLERANCE = 0.02  # the least that the check asks of numerical friction: half of it takes four times as long
 ENOUGH = 0.2  # uncertainty that a reference must reach, as a share of the tolerance that it is to judge
 
@@ -75,11 +74,8 @@ class Validation(Brief):
     provenance: Provenance
     films: tuple[RaceFilm, ...] = ()  # lubricated contacts of the heaviest balls, inner and outer; none without oil
     film_change: Array | None = None  # (n,) of the torque by numerical films, relative; None without films or torque
-    no_film: tuple[str, ...] = ()  # why there is no numerical film
     creep: tuple[SceneCreep, ...] = ()  # numerical friction of the heaviest ball of each bearing; none: nothing slides
-    # Of the torque at the point of the heaviest ball by its numerical friction, relative; None without it
-    creep_change: float | None = None
-    no_creep: tuple[str, ...] = ()  # why there is no numerical friction
+    missing: tuple[str, ...] = ()  # why there is no numerical film or friction
     measured_torques: MeasuredComparison | None = None  # beside the computed ones; None: the scene has none
     sensitivity: Sensitivity | None = None  # None: not computed
     cage_records: tuple[CageRecord, ...] = ()  # of the slowest and the fastest point whose cage moved
@@ -100,15 +96,26 @@ class Validation(Brief):
         found: dict[Compared, ShownVerdict] = {"contacts": worst(contact.numbers.verdict for contact in self.contacts)}
         if self.films:
             found["film"] = worst(film.numbers.verdict for film in self.films)
-        if self.creep and self.creep_change is not None:
-            found["friction"] = self._friction
+        if self.creep_change is not None:
+            found["friction"] = self._friction(self.creep_change)
         return {name: verdict for name, verdict in found.items() if verdict != "shown"}
 
     @property
-    def _friction(self) -> Verdict:
+    def _heaviest(self) -> SceneCreep:
+        return max(self.creep, key=lambda creep: creep.numbers.load)
+
+    @property
+    def creep_change(self) -> float | None:
+        """Of the torque at the point of the heaviest ball by its numerical friction, relative; None without it."""
+        if not self.creep or self.torque is None:
+            return None
+        place, torque = self._heaviest.place, self.torque.friction.torque
+        slides = sum(float(part[place]) for part in (torque.spin, torque.conformity) if part is not None)
+        return self._heaviest.numbers.change * slides / float(torque.total[place])
+
+    def _friction(self, change: float) -> Verdict:
         """Whether the numerical friction of the heaviest ball changes the torque by less than the tolerance."""
-        heaviest = max(self.creep, key=lambda creep: max(race.load for race in creep.numbers.races.values())).numbers
-        change = self.creep_change or 0.0
+        heaviest = self._heaviest.numbers
         share = change / heaviest.change if heaviest.change else 0.0  # of sliding in the torque
         return verdict_within(change, share * heaviest.relative_uncertainty, tolerance=self.tolerance)
 
@@ -140,11 +147,11 @@ class Validation(Brief):
             for warning in contact.numbers.warnings
         )
         torque = () if self.torque is None else self.torque.friction.warnings
-        fitted = () if self.torque_change is None else self.torque_change.fitting_warnings
+        fit = None if self.torque_change is None else self.torque_change.fitted
+        fitted = () if fit is None else fit.warnings
         films = (warning for film in self.films for warning in film.numbers.warnings)
         creep = (warning for creep in self.creep for warning in creep.numbers.warnings)
-        missing = (*self.no_film, *self.no_creep, *self.trouble)
-        return tuple(dict.fromkeys([*contacts, *torque, *fitted, *films, *creep, *missing]))
+        return tuple(dict.fromkeys([*contacts, *torque, *fitted, *films, *creep, *self.missing, *self.trouble]))
 
     def to_dataset(self) -> Any:
         """The contacts as an xarray.Dataset over `contact`, SI, with units and meanings; `torque` has its own."""
@@ -152,28 +159,26 @@ class Validation(Brief):
         attributes = {"scene": self.scene.name, "tolerance": self.tolerance, VERDICT: self.verdict}
         return dataset_of(numbers, coordinates=words, attributes=attributes)
 
-    def _labelled(self) -> tuple[dict[str, Labelled], dict[str, Labelled]]:
-        """What each contact is, and its numbers."""
-        rows = [contact.columns() for contact in self.contacts]
-        words = {
-            "pair": ("body that the ball presses", [contact.numbers.pair for contact in self.contacts]),
-            "geometry": ("shape of the meshes", [contact.numbers.geometry for contact in self.contacts]),
-            **({} if self.scene.arrangement is None else {"bearing": ("of the pair", self._bearings)}),
-            VERDICT: ("on uncorrected Hertz", [contact.numbers.verdict for contact in self.contacts]),
-        }
-        return (
-            {name: Labelled(("contact",), values, Column("", meaning)) for name, (meaning, values) in words.items()},
-            {name: Labelled(("contact",), [row[name] for row in rows], each) for name, each in COLUMNS.items()},
-        )
-
-    @property
-    def _bearings(self) -> list[str]:
-        return [contact.numbers.bearing or "both" for contact in self.contacts]
-
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame with the columns of `to_dataset`: a row for each contact, SI."""
         words, numbers = self._labelled()
         return frame_of(words | numbers, "contact")
+
+    def _labelled(self) -> tuple[dict[str, Labelled], dict[str, Labelled]]:
+        """What each contact is, and its numbers."""
+        rows, found = [contact.columns() for contact in self.contacts], [contact.numbers for contact in self.contacts]
+        words = {
+            "pair": ("body that the ball presses", [each.pair for each in found]),
+            "geometry": ("shape of the meshes", [each.geometry for each in found]),
+            "bearing": ("of the pair", [each.bearing or "both" for each in found]),
+            VERDICT: ("on uncorrected Hertz", [each.verdict for each in found]),
+        }
+        if self.scene.arrangement is None:
+            del words["bearing"]
+        return (
+            {name: Labelled(("contact",), values, Column("", meaning)) for name, (meaning, values) in words.items()},
+            {name: Labelled(("contact",), [row[name] for row in rows], each) for name, each in CONTACT_COLUMNS.items()},
+        )
 
 
 def check_scene(
@@ -209,33 +214,33 @@ def check_scene(
     measured_torques = None
     if scene.measured is not None:
         measured_torques = compare_measured(scene, progress=lambda _share, step: progress(0.0, step))
-    bearings = bearings_of(scene)
+    bearings, friction = list(bearings_of(scene)), None if torque is None else torque.friction
     jobs = _jobs(scene, bearings)  # refuses too
     moves = bool(np.any(scene.operation.inner_speed))
-    films_too = film and scene.lubricant is not None and moves
-    creep_too = creep and moves and torque is not None and torque.friction.sliding != "none"
-    spent = FILM_SECONDS * films_too * len(bearings), CREEP_SECONDS * creep_too * len(bearings)
-    shares = np.cumsum([0.0, *(job.seconds for job in jobs), *spent])
-    shares = shares / (shares[-1] + COST_SECONDS * cost)
-    contacts = _contacts(jobs, shares[: -len(spent)], progress)
-    friction = None if torque is None else torque.friction
-    films, change, no_film = (), None, ()
-    if films_too:
-        films, change, no_film = _films(scene, bearings, friction, part_of(progress, shares[-3], shares[-2]))
-    slipping, creep_change, no_creep = (), None, ()
-    if creep_too and friction is not None:
-        slipping, creep_change, no_creep = _creep(bearings, friction, part_of(progress, shares[-2], shares[-1]))
+    oiled = film and moves and scene.lubricant is not None
+    slipping = bearings if creep and moves and friction is not None and friction.sliding != "none" else []
+    races: list[tuple[OneBearing, Race]] = [(each, race) for each in bearings for race in RACE_NAMES] if oiled else []
+    spent = [job.seconds for job in jobs] + [FILM_SECONDS] * len(races) + [CREEP_SECONDS] * len(slipping)
+    shares = np.cumsum([0.0, *spent]) / (sum(spent) + COST_SECONDS * cost)
+    steps = (part_of(progress, *ends) for ends in pairwise(shares))
+    contacts = _contacts(jobs, steps)
+    films, missing, change = [], [], None
+    for each, race in races:
+        with _noted(missing, f"no numerical film on the {race} race{which_bearing(each.name)}"):
+            found = film_of(each.scene, pair=race, progress=next(steps))
+            films.append(replace(found, numbers=replace(found.numbers, bearing=each.name)))
+    if films and friction is not None:
+        with _noted(missing, "no torque with the numerical films"):
+            change = film_change(scene, friction, tuple(films))
     return Validation(
         scene=scene,
         contacts=contacts,
         torque=torque,
         torque_change=None if friction is None else change_of_torque(scene, friction, **_heaviest(contacts)),
-        films=films,
+        films=tuple(films),
         film_change=change,
-        no_film=no_film,
-        creep=slipping,
-        creep_change=creep_change,
-        no_creep=no_creep,
+        creep=tuple(_creep(slipping, steps, missing)),
+        missing=tuple(missing),
         hard=last_run(),
         ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, shares[-1], 1.0)).ladders
         if cost
@@ -250,6 +255,25 @@ def check_scene(
     )
 
 
+def _creep(bearings: Sequence[OneBearing], steps: Iterator[Progress], missing: list[str]) -> Iterator[SceneCreep]:
+    """The numerical friction of the heaviest ball of each bearing."""
+    for each in bearings:
+        with _noted(missing, f"no numerical friction{which_bearing(each.name)}"):
+            limit = max(each.scene.tolerance, CREEP_TOLERANCE)
+            found = creep_of(each.scene, tolerance=limit, progress=next(steps))
+            numbers = replace(found.numbers, bearing=each.name)
+            yield replace(found, numbers=numbers, place=int(each.points[found.place]))
+
+
+@contextmanager
+def _noted(missing: list[str], words: str) -> Iterator[None]:
+    """Note why a part of the check fails: the rest is known all the same."""
+    try:
+        yield
+    except FembearingError as problem:
+        missing.append(f"{words}: {problem}")
+
+
 def _jobs(scene: Scene, bearings: Sequence[OneBearing]) -> list[_Job]:
     """Both races of each bearing, and the pocket, which is the same in both. Raises InputError as contact_of does."""
     jobs = [_Job(each, *race) for each in bearings for race in RACES]
@@ -259,11 +283,11 @@ def _jobs(scene: Scene, bearings: Sequence[OneBearing]) -> list[_Job]:
     return jobs
 
 
-def _contacts(jobs: Sequence[_Job], shares: Array, progress: Progress) -> tuple[ContactSolution, ...]:
-    """The contacts in the order of the jobs, races with their rings; shares : of the progress, one more than jobs"""
-    contacts, rings = [], {}
+def _contacts(jobs: Sequence[_Job], steps: Iterator[Progress]) -> tuple[ContactSolution, ...]:
+    """The contacts in the order of the jobs, races with their rings; steps : the progress of each"""
     with ThreadPoolExecutor(1) as beside:  # each ring is computed while the next contact is solved
-        for number, (job, (begin, end)) in enumerate(zip(jobs, pairwise(shares), strict=True)):
+        contacts = []
+        for job, step in zip(jobs, steps, strict=False):  # other steps follow
             tolerance = job.of.scene.tolerance
             solved = solve_contact(
                 job.of.scene,
@@ -271,12 +295,10 @@ def _contacts(jobs: Sequence[_Job], shares: Array, progress: Progress) -> tuple[
                 geometry=job.geometry,
                 tolerance=tolerance,
                 accuracy=ENOUGH * tolerance,
-                progress=part_of(progress, begin, end),
+                progress=step,
             )
-            contacts.append(solved.with_numbers(bearing=job.of.name))
-            if job.pair != "pocket":
-                rings[number] = beside.submit(_with_ring_if_known, contacts[-1])
-    return tuple(rings[number].result() if number in rings else contact for number, contact in enumerate(contacts))
+            contacts.append(beside.submit(_with_ring_if_known, solved.with_numbers(bearing=job.of.name)))
+    return tuple(each.result() for each in contacts)
 
 
 def _heaviest(contacts: Sequence[ContactSolution]) -> dict[Race, ContactSolution]:
@@ -284,54 +306,6 @@ def _heaviest(contacts: Sequence[ContactSolution]) -> dict[Race, ContactSolution
     inner, outer = ([each for each in contacts if each.contact.pair == race] for race in RACE_NAMES)
     both = max(zip(inner, outer, strict=True), key=lambda both: max(each.contact.load for each in both))
     return dict(zip(RACE_NAMES, both, strict=True))
-
-
-def _films(
-    scene: Scene, bearings: Sequence[OneBearing], friction: FrictionTorque | None, progress: Progress
-) -> tuple[tuple[RaceFilm, ...], Array | None, tuple[str, ...]]:
-    """The lubricated contacts of all races, what they change in the torque, and why something is missing."""
-    films, change, reasons = [], None, []
-    races: list[tuple[OneBearing, Race]] = [(each, race) for each in bearings for race in RACE_NAMES]
-    for number, (each, race) in enumerate(races):
-        part = part_of(progress, number / len(races), (number + 1) / len(races))
-        try:
-            found = film_of(each.scene, pair=race, progress=part)
-        except FembearingError as problem:  # the contacts and the torque are known all the same
-            reasons.append(f"no numerical film on the {race} race{which_bearing(each.name)}: {problem}")
-        else:
-            films.append(replace(found, numbers=replace(found.numbers, bearing=each.name)))
-    if films and friction is not None:
-        try:
-            change = film_change(scene, friction, tuple(films))
-        except FembearingError as problem:
-            reasons.append(f"no torque with the numerical films: {problem}")
-    return tuple(films), change, tuple(reasons)
-
-
-def _creep(
-    bearings: Sequence[OneBearing], friction: FrictionTorque, progress: Progress
-) -> tuple[tuple[SceneCreep, ...], float | None, tuple[str, ...]]:
-    """The numerical friction of the heaviest ball of each bearing, what it changes in the torque, why it is missing.
-
-    The change is that by the heaviest of these balls.
-    """
-    creeps, reasons, loads = [], [], []
-    for number, each in enumerate(bearings):
-        part = part_of(progress, number / len(bearings), (number + 1) / len(bearings))
-        try:
-            found = creep_of(each.scene, tolerance=max(each.scene.tolerance, CREEP_TOLERANCE), progress=part)
-        except FembearingError as problem:  # the contacts and the torque are known all the same
-            reasons.append(f"no numerical friction{which_bearing(each.name)}: {problem}")
-        else:
-            numbers = replace(found.numbers, bearing=each.name)
-            creeps.append(replace(found, numbers=numbers, place=int(each.points[found.place])))
-            loads.append(max(race.load for race in numbers.races.values()))
-    if not creeps:
-        return (), None, tuple(reasons)
-    heaviest, torque = creeps[int(np.argmax(loads))], friction.torque
-    slides = sum(float(part[heaviest.place]) for part in (torque.spin, torque.conformity) if part is not None)
-    change = heaviest.numbers.change * slides / float(torque.total[heaviest.place])
-    return tuple(creeps), change, tuple(reasons)
 
 
 def _seeds(
@@ -362,6 +336,6 @@ def _recorded(scene: Scene, friction: FrictionTorque) -> tuple[CageRecord, ...]:
 def _with_ring_if_known(contact: ContactSolution) -> ContactSolution:
     """A race with its ring's structure, or with a warning why it has none: no contact fails for it."""
     try:
-        return with_ring(contact)
+        return contact if contact.contact.pair == "pocket" else with_ring(contact)
     except InputError as problem:
         return contact.with_numbers(warnings=(*contact.numbers.warnings, str(problem)))

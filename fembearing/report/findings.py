@@ -9,7 +9,7 @@ import numpy as np
 from analytic.rows import NotNegative
 from analytic.words import PERCENT, percent_of
 from fembearing.check.comparison import ShownVerdict, worst
-from fembearing.check.contact.bearings import which_bearing
+from fembearing.check.contact.scene_contact import which_bearing
 from fembearing.check.contact.solution import ContactNumbers
 from fembearing.check.creep.scene_creep import CreepNumbers
 from fembearing.check.film.scene_film import JUDGED, FilmNumbers

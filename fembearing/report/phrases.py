@@ -1,16 +1,11 @@
 """Titles, sentences and numbers as text, which terminal, page and figures share."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from analytic.columns import MODEL_PARTS
-from analytic.units import speed_words as speed_words
 from analytic.words import Unit, percent_of, rounded
-
-if TYPE_CHECKING:
-    pass
 
 LONGEST_LIST = 12  # values in a cell of a table
 MEASURED_RANGE = "35 % too low to 10 % too high"  # of validation/measured/measured.csv, which a test compares

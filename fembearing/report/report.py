@@ -13,8 +13,7 @@ from analytic.scene_torque import SceneTorque
 from analytic.verdicts import Compared, PhysicalCheck, Summary, Verdict
 from fembearing.check.cage_record import DrawnMotion
 from fembearing.check.comparison import ShownVerdict
-from fembearing.check.contact.bearings import OfPair
-from fembearing.check.contact.scene_contact import Shape
+from fembearing.check.contact.scene_contact import OfPair, Shape
 from fembearing.check.contact.solution import ContactNumbers
 from fembearing.check.cost.ladder import Ladder
 from fembearing.check.creep.scene_creep import CreepNumbers

@@ -23,7 +23,7 @@ from analytic.labelled import Column
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.scene import Scene
 from analytic.torque import friction_torque
-from fembearing.check.contact import columns as of_contact
+from fembearing.quantities import CONTACT_COLUMNS, VERDICT
 from fembearing.sweep.grid import Grid
 
 MOST_THRUST = 1000  # points in one piece under thrust: about 3 s with free balls
@@ -32,7 +32,7 @@ MOST_RADIAL = 16  # points in one piece, where each ball carries another load: 1
 RADIAL = ("operation.radial_load", "operation.moment", "operation.tilt")
 REASON = "failure"
 FAILURE = {REASON: Column("", "why a point failed; empty where not")}  # without a unit: words
-VERDICT = {of_contact.VERDICT: Column("", "verdict on Hertz by the scene's tolerance")}
+JUDGEMENT = {VERDICT: Column("", "verdict on Hertz by the scene's tolerance")}
 INTERVAL = {  # what a grid with samples has besides
     "torque_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
     "torque_median": Column("N m", "median of the friction torque"),
@@ -83,7 +83,7 @@ def pieces(grid: Grid) -> Iterator[Piece]:
 def column_notes(grid: Grid) -> dict[str, Column]:
     """Unit and meaning of each column; a column of words has no unit."""
     if grid.what == "contact":
-        return FAILURE | VERDICT | of_contact.COLUMNS
+        return FAILURE | JUDGEMENT | CONTACT_COLUMNS
     return FAILURE | OF_TORQUE | (INTERVAL if grid.samples is not None else {})
 
 
@@ -168,7 +168,7 @@ def _contact(grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp]) 
         accuracy=settings.get("accuracy"),
         geometry=settings.get("geometry", "real"),
     )
-    return {**solution.columns(), of_contact.VERDICT: solution.numbers.verdict, "warnings": solution.numbers.warnings}
+    return {**solution.columns(), VERDICT: solution.numbers.verdict, "warnings": solution.numbers.warnings}
 
 
 def _torque(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> dict[str, Any]:

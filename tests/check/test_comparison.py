@@ -1,5 +1,6 @@
 """A quantity beside its reference, and the verdict by the position of the whole uncertainty interval."""
 
+import math
 from dataclasses import replace
 from typing import Any
 
@@ -7,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from analytic.errors import InputError
 from fembearing.check.comparison import Verdict, compared, compared_with, could_be_decided, verdict_on, worst
 from fembearing.grid_convergence import Estimate
 
@@ -50,6 +52,12 @@ def test_a_pass_stays_a_pass_at_any_truth_inside_the_interval(discrepancy: float
         assert max(ends) <= TOLERANCE * (1 + 1e-12)  # round-off of the sum
     if verdict == "fail":
         assert min(ends) > TOLERANCE * (1 - 1e-12)
+
+
+@pytest.mark.parametrize("numbers", [(math.nan, 6.4, 0.3), (6.2, math.inf, 0.3), (6.2, 6.4, math.nan)])
+def test_numbers_that_are_not_finite_are_no_result(numbers: tuple[float, float, float]) -> None:
+    with pytest.raises(InputError, match="outside the computable range"):
+        compared(*numbers)
 
 
 def test_the_worst_verdict_is_the_most_serious() -> None:

@@ -13,7 +13,7 @@ from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.check import validation
 from fembearing.check.contact import scene_contact
-from fembearing.check.contact.bearings import bearings_of
+from fembearing.check.contact.scene_contact import bearings_of
 from fembearing.check.torque_change import change_of_torque
 from fembearing.check.validation import Validation, check_scene
 from fembearing.report.folder import report_page

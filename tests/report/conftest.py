@@ -17,7 +17,7 @@ from fembearing.check.cage_record import CageRecord, record_cage
 from fembearing.check.comparison import compared_with, verdict_on, worst
 from fembearing.check.contact.hertz import CorrectedHertz
 from fembearing.check.contact.solution import ContactSolution, MeshCost
-from fembearing.check.cost.contact_ladder import contact_ladder_of
+from fembearing.check.cost.scene_cost import contact_ladder_of
 from fembearing.check.torque_change import FittedChange, TorqueChange
 from fembearing.check.validation import Validation
 from fembearing.fem.measure import Quantities

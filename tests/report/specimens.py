@@ -10,8 +10,7 @@ from analytic.prediction.duty import DutyCycle, DutyStep, Estimate
 from analytic.rows import OperatingPoint
 from fembearing import grid_convergence
 from fembearing.check.comparison import Comparison, compared
-from fembearing.check.contact.load_series import LoadPoint, LoadSeries
-from fembearing.check.contact.stiffness_law import StiffnessLaw
+from fembearing.check.contact.load_series import LoadPoint, LoadSeries, StiffnessLaw
 from fembearing.check.contact.subsurface import NAMES, SubsurfaceComparison
 from fembearing.check.cost.ladder import Ladder, Method
 from fembearing.check.creep.scene_creep import CreepNumbers, RaceNumbers

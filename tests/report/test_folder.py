@@ -31,7 +31,7 @@ BROKEN = ("/nowhere/python",)  # a renderer that draws nothing
 @pytest.fixture
 def solved(checked: Validation, monkeypatch: pytest.MonkeyPatch) -> Validation:
     """One race of the built-in scene, already solved; a page without plots, which take seconds."""
-    short = replace(checked, contacts=checked.contacts[:1], creep=(), creep_change=None)
+    short = replace(checked, contacts=checked.contacts[:1], creep=())
     monkeypatch.setattr(module, "check_scene", lambda *_, **__: short)
     monkeypatch.setattr(page_plots, "PLOTS", ())
     return short

@@ -17,8 +17,8 @@ from analytic.contact.hertz import contact_modulus, relative_curvatures
 from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
 from fembearing.check.contact.hertz import hertz_quantities
+from fembearing.check.contact.load_series import OFF_MESH
 from fembearing.check.contact.refinement import COMPARED, FORMAL_ORDERS, STRIP_LEAST
-from fembearing.check.contact.uncertainty import OFF_MESH
 from fembearing.fem.guess import MAJOR_SHRINKS, MINOR_GROWS, expected_semi_axes
 from fembearing.fem.measure import STRIP
 from fembearing.fem.series import NARROWEST, WIDEST

@@ -26,7 +26,6 @@ from analytic.errors import FembearingError, InputError
 from analytic.scene import Scene
 from fembearing.check.contact.scene_contact import RECIPES, contact_of
 from fembearing.check.cost import scene_cost
-from fembearing.check.cost.contact_ladder import measured_contact
 from fembearing.check.cost.ladder import Ladder, measured
 from fembearing.mesh.recipe import load_recipe
 from validation.benchmarks.random_scenes import random_scene, with_cage
@@ -78,7 +77,7 @@ def ladders_of(scene: Scene, absent: dict[str, int], *, with_meshes: bool, race:
         try:
             contact = contact_of(scene, pair="outer" if race else "inner")
             recipe = load_recipe(RECIPES["real"])
-            ladders.append(measured_contact(contact, recipe=recipe, **once))
+            ladders.append(measured(f"contact, {contact.pair}", *scene_cost.contact_methods(contact, recipe), **once))
         except FembearingError:
             absent["contact"] += 1
     return ladders

@@ -20,10 +20,9 @@ import typer
 from rich.progress import track
 
 from analytic.errors import FembearingError
-from analytic.progress import silent
 from analytic.scene import Array, Contact
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.refinement import COMPARED, solve_reference
+from fembearing.check.contact.refinement import COMPARED, Wanted, solve_reference
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Cells, Depth, Domain, Patch, Recipe, load_recipe
 from validation.intervals.twin import ball_and_race, drawn_materials, pressed_to
@@ -87,7 +86,7 @@ def trial(seed: int, *, kind: Kind) -> Trial | str:
     try:
         for accuracy in ACCURACIES:
             start = time.process_time()
-            references.append(solve_reference(contact, recipe=recipe, accuracy=accuracy, progress=silent))
+            references.append(solve_reference(contact, Wanted(recipe, accuracy=accuracy)))
             seconds.append(time.process_time() - start)
         if kind == "hertzian":
             truth = _values(vars(hertz_quantities(contact)))

@@ -30,10 +30,9 @@ from scipy.stats import qmc
 from analytic.contact.finite_geometry_fit import OFF_SHOULDER
 from analytic.contact.hertz import contact_modulus
 from analytic.errors import FembearingError
-from analytic.progress import silent
 from analytic.scene import Contact, Material
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.refinement import solve_reference
+from fembearing.check.contact.refinement import Wanted, solve_reference
 from fembearing.mesh.recipe import load_recipe
 from validation.study import Row, continued, read, run
 
@@ -244,7 +243,7 @@ def solved(shape: dict[str, float]) -> Row:
     contact = contact_of_shape(shape)
     recipe = replace(load_recipe("race"), levels=LEVELS)
     try:
-        reference = solve_reference(contact, recipe=recipe, accuracy=ACCURACY, progress=silent)
+        reference = solve_reference(contact, Wanted(recipe, accuracy=ACCURACY))
     except FembearingError as problem:
         return row | {"trouble": " ".join(str(problem).split())}
     hertz = vars(hertz_quantities(contact))

@@ -51,7 +51,7 @@ def scene_of(bearing: str) -> Scene:
 
 def films(scene: Scene) -> Iterator[Row]:
     for race in RACES:
-        closed, _ = problem_of(scene, race, load=LOAD, inner_speed=SPEED)
+        closed = problem_of(scene, race, load=LOAD, inner_speed=SPEED)
         begun = time.perf_counter()
         meshed: LubricatedContact = replace(closed.problem, added=meshed_pair(closed.contact))
         sampled = time.perf_counter() - begun

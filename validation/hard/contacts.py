@@ -14,10 +14,9 @@ from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact,
 from analytic.contact.subsurface import SubsurfaceMaximum, subsurface_maximum
 from analytic.loads.state import approaches
 from analytic.loads.thrust import thrust_equilibrium, thrust_equilibrium_frozen
-from analytic.progress import silent
 from analytic.scene import Bearing, Contact, ContactAngle
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.refinement import solve_reference
+from fembearing.check.contact.refinement import Wanted, solve_reference
 from fembearing.check.contact.scene_contact import as_meshed
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import Quantities
@@ -97,7 +96,7 @@ def referenced(contact: Contact, *, recipe: str = "hertzian") -> Quantities:
     """A contact as users get it: from as many meshes as `ACCURACY` needs, extrapolated."""
     made = load_recipe(recipe)
     contact = as_meshed(contact, recipe=made)
-    reference = solve_reference(contact, recipe=made, accuracy=ACCURACY, progress=silent)
+    reference = solve_reference(contact, Wanted(made, accuracy=ACCURACY))
     return Quantities(**{name: part.value for name, part in reference.estimates.items()})
 
 

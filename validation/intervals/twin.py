@@ -9,7 +9,7 @@ whose approach has no limit and is left out; of the others, half have a shoulder
 angles up to 40 degrees. The effect of the far boundary is the same in both and is not tested here:
 validation/benchmarks/intervals.py does that. An interrupted run continues where it stopped.
 
-The constants of `fembearing.check.contact.uncertainty` were chosen on seeds 100 to 118 and 50000 to 50037; all
+The constants of `fembearing.check.contact.refinement` were chosen on seeds 100 to 118 and 50000 to 50037; all
 others test them. Plain levels are themselves uncertain by some 0.02 %.
 """
 

@@ -57,7 +57,8 @@ class DrawnPressure:
 def pressure_figure(contacts: Sequence[DrawnPressure], units: Units) -> Figure:
     """A column for each contact."""
     labels = (f"pressure, {units.pressure.name}", "less Hertz,\n% of its peak")
-    return contact_columns(contacts, _profile, _difference, units=units, labels=labels, shared=True)
+    rows = _profile, lambda panel, contact, _: _difference(panel, contact)
+    return contact_columns(contacts, *rows, units=units, labels=labels, shared=True)
 
 
 def contact_columns(
@@ -110,7 +111,7 @@ def _profile(panel: Axes, contact: DrawnPressure, units: Units) -> None:
     panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * factor * hertz.peak_pressure))
 
 
-def _difference(panel: Axes, contact: DrawnPressure, units: Units) -> None:  # noqa: ARG001
+def _difference(panel: Axes, contact: DrawnPressure) -> None:
     """The nodes less Hertz, per cent of Hertz's peak."""
     hertz, computed, largest = contact.hertz, contact.fe, 0.0
     for axis, (name, _, colour, mark, line) in ALONG.items():

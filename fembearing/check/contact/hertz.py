@@ -4,6 +4,7 @@ Pressure profiles: where the contact is symmetric a quarter of it is meshed, and
 Where one shoulder cuts it off a half is meshed, and transverse positions run from one side to the other.
 """
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -14,7 +15,9 @@ from analytic.contact.finite_geometry import contact_shape, finite_geometry_fact
 from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.rows import NotNegative, Positive
 from analytic.scene import Array, Contact
+from fembearing.check.comparison import Comparison, compared_with, verdict_on
 from fembearing.fem.measure import Quantities
+from fembearing.grid_convergence import Estimate
 
 if TYPE_CHECKING:  # the solver takes a second to import, and nothing else here needs it
     from fembearing.fem.solution import MeshSolution
@@ -44,6 +47,22 @@ def hertz_quantities(contact: Contact) -> Quantities:
         approach=float(ellipse.approach),
         stiffness=float(ellipse.stiffness),
     )
+
+
+def beside_hertz(
+    hertz: Quantities, estimates: dict[str, Estimate], *, tolerance: float, valid: bool, judged: Collection[str]
+) -> dict[str, Comparison]:
+    """Hertz beside the estimate of each quantity, with a verdict where it is judged.
+
+    tolerance : relative;  valid : whether the contact ends before its shoulder
+    judged : names of quantities; none of a sheet, which Hertz's half space does not describe
+    """
+    found = {name: compared_with(part, getattr(hertz, name)) for name, part in estimates.items()}
+    return found | {
+        name: replace(found[name], verdict=verdict_on(found[name].production, part, tolerance=tolerance, valid=valid))
+        for name, part in estimates.items()
+        if name in judged
+    }
 
 
 def corrected_hertz(contact: Contact, *, hertz: Quantities) -> tuple[CorrectedHertz | None, tuple[str, ...]]:
@@ -80,21 +99,16 @@ class ApproachCurve:
 def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool) -> ApproachCurve:
     """The curve from 0.05 to 1.5 times the contact's load.
 
-    hertz : the contact under its own load; semi-axes, peak pressure and approach are powers of the load
+    hertz : the contact under its own load
     correctable : whether the correction for finite geometry applies to this contact
     """
     factor = np.linspace(LEAST, MOST, POINTS)
     corrected: list[float | None] = [None] * POINTS
     uncertainty: list[float | None] = [None] * POINTS
     for point, times in enumerate(factor if correctable else ()):
-        scaled = Quantities(
-            semi_axis_rolling=hertz.semi_axis_rolling * times ** (1 / 3),
-            semi_axis_transverse=hertz.semi_axis_transverse * times ** (1 / 3),
-            peak_pressure=hertz.peak_pressure * times ** (1 / 3),
-            approach=hertz.approach * times ** (2 / 3),
-            stiffness=hertz.stiffness,
-        )
-        fitted, _ = corrected_hertz(replace(contact, load=contact.load * float(times)), hertz=scaled)
+        approach = hertz.approach * times ** (2 / 3)
+        heavier = replace(contact, load=contact.load * float(times))
+        fitted, _ = corrected_hertz(heavier, hertz=replace(hertz, approach=approach))
         if fitted is not None:
             corrected[point], uncertainty[point] = fitted.quantities.approach, fitted.uncertainty["approach"]
     return ApproachCurve(

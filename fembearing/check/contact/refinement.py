@@ -4,14 +4,18 @@ What a twin leaves of a mesh's error falls faster than the error itself: it is a
 and a hundredth on the second. The corrected values of the last two levels are extrapolated.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, NamedTuple
 
-from analytic.progress import Progress
+from analytic.progress import Progress, silent
 from analytic.scene import Contact
-from fembearing.check.contact.mesh_seconds import about, predicted_seconds
+from fembearing.check.comparison import could_be_decided
+from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.meshed_region import (
+    FARTHER_LEFT,
+    FARTHER_LEFT_ON_SECOND,
+    STIFFNESS,
     Boundary,
     boundary_effect_with_twin,
     each_side,
@@ -21,12 +25,13 @@ from fembearing.check.contact.meshed_region import (
     sides_farther,
     with_sides,
 )
-from fembearing.check.contact.uncertainty import FARTHER_LEFT, FARTHER_LEFT_ON_SECOND, with_twin
 from fembearing.fem.guess import expected_semi_axes
+from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_on_level
 from fembearing.grid_convergence import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate, mesh_allowed, observed_order
 from fembearing.mesh.recipe import Recipe
+from fembearing.quantities import about
 
 Estimates = dict[str, Estimate]
 # How the error of the meshes was removed: by twins of half spaces on the same cells, or by extrapolation alone
@@ -49,6 +54,20 @@ STRIP_LEAST = 0.03
 # uncertainty exceeds the limit by more than this factor. The prediction is up to twice too large for the peak pressure,
 # whose error changes sign.
 WORTH_A_TRY = 2.0
+# Time of a level with N unknowns: set-up, cells, and the factorisation with its many right-hand sides, s; only their
+# ratios matter. They were fitted to 24 solves of six random contacts on one machine.
+FIXED, EACH, EACH_SQUARED = 0.1, 14e-6, 7.7e-10
+
+# Chosen on the calibration contacts of validation/intervals/twin.py, which tests them on others. ORDER: power of the
+# cell size with which the error falls that a twin leaves, and those of two quantities that differ.
+ORDER, ORDERS = 4.0, {"semi_axis_transverse": 5.0, "approach": 3.0}
+# In bodies of true shape the error of the approach is that of their twin times 1 + SHAPED (c/r)^2, with the larger
+# semi-axis c and the ball's radius r.
+SHAPED = 0.8
+# Uncertainty of meshes with a twin: LEAST_WITH_TWIN, CURVED times (c/r)^2 and the largest error that the twin shows,
+# and LEFT times the largest extrapolation of a quantity. UNSTEADY_PRESSURE is added for the peak pressure, which has no
+# steady order.
+LEAST_WITH_TWIN, CURVED, LEFT, UNSTEADY_PRESSURE = 1.5e-4, 0.3, 1.0, 1e-4
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -61,22 +80,62 @@ class Reference:
     refinement: Refinement
 
 
-def solve_by_levels(
-    contact: Contact,
-    *,
-    recipe: Recipe,
-    accuracy: float,
-    quantities: Sequence[str] = COMPARED,
-    undecided: Callable[[Estimates], bool] = lambda _: False,
-    progress: Progress,
-) -> Reference:
-    """Solve `contact` on three levels of `recipe` or more.
+class Wanted(NamedTuple):
+    """What the reference of a contact must reach."""
 
-    accuracy : required of the quantities, relative half-width
-    quantities : names of those that must reach the accuracy
-    undecided : whether a finer mesh is needed although the accuracy is reached
+    recipe: Recipe
+    accuracy: float  # of the quantities, relative half-width
+    quantities: Sequence[str] = COMPARED  # names of those that must reach it
+    tolerance: float | None = None  # of a verdict on Hertz that a finer mesh shall decide, relative; None: no verdict
+    judged: Sequence[str] = tuple(FORMAL_ORDERS)  # names of the quantities that it is on
+    progress: Progress = silent
+
+    def leaves_undecided(self, contact: Contact, estimates: Estimates) -> bool:
+        """Whether a finer mesh could decide a verdict although the accuracy is reached."""
+        if self.tolerance is None:
+            return False
+        hertz = vars(hertz_quantities(contact))
+        return any(could_be_decided(hertz[name], estimates[name], tolerance=self.tolerance) for name in self.judged)
+
+    def is_met(self, mesh: MeshSolution | PixelSolution, estimates: Estimates) -> bool:
+        """Whether the accuracy is reached and no verdict is open; at a shoulder, where Hertz is not judged, none is."""
+        accurate = all(
+            estimates[name].mesh <= mesh_allowed(self.accuracy, domain=estimates[name].domain)
+            for name in self.quantities
+        )
+        return accurate and (mesh.shoulder is not None or not self.leaves_undecided(mesh.contact, estimates))
+
+
+def solve_reference(contact: Contact, wanted: Wanted) -> Reference:
+    """Solve `contact` on as many levels of the recipe as the accuracy needs.
+
+    Contacts of true shape have a twin on each level. Plain levels follow where the twin does not hold: for the
+    idealisation, which would be its own twin, for a sheet, which bends, and where a shoulder cuts the contact off.
+    `Reference.refinement` says which was used.
+    """
+    by_twin = solve_by_twin(contact, wanted) if wanted.recipe.geometry == "real" else None
+    return by_twin or solve_by_levels(contact, wanted)
+
+
+def predicted_seconds(level: int, *, known: MeshSolution) -> float:
+    """Seconds to mesh and solve one level of a recipe; the machine's speed is that of the known solution.
+
+    known : the largest mesh solved so far of the same contact and recipe
+    The unknowns of a tensor grid refined in all directions grow as the cube of its level.
+    """
+    before, after = (
+        FIXED + EACH * unknowns + EACH_SQUARED * unknowns**2
+        for unknowns in (known.unknowns, known.unknowns * (level / known.level) ** 3)
+    )
+    return known.seconds * after / before
+
+
+def solve_by_levels(contact: Contact, wanted: Wanted) -> Reference:
+    """Solve `contact` on three plain levels or more.
+
     The first two levels predict the level that reaches the accuracy; where it does not, finer ones follow.
     """
+    recipe, progress = wanted.recipe, wanted.progress
     progress(0.0, f"{contact.pair}: size of the contact")
     second = fitted_solution(contact, recipe=recipe)
     progress(0.2, f"{contact.pair}: far boundary")
@@ -86,7 +145,7 @@ def solve_by_levels(
         boundary = with_sides(boundary, second, *each_side(second, recipe=recipe), farther=farther)
     first = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=second.pair.semi_axes)
     meshes, estimates = [first, second], {}
-    allowed = {name: mesh_allowed(accuracy, domain=boundary[name].domain) for name in quantities}
+    allowed = {name: mesh_allowed(wanted.accuracy, domain=boundary[name].domain) for name in wanted.quantities}
     predicted = _predicted_level(meshes, recipe=recipe, allowed=allowed)
     finer = [level for level in recipe.levels if level >= predicted]
     for number, level in enumerate(finer):
@@ -94,8 +153,7 @@ def solve_by_levels(
         progress(0.3 + 0.7 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
         meshes.append(solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=second.pair.semi_axes))
         estimates = {name: replace(part, **vars(boundary[name])) for name, part in estimates_of(meshes).items()}
-        accurate = all(estimates[name].mesh <= limit for name, limit in allowed.items())
-        if accurate and (second.shoulder is not None or not undecided(estimates)):
+        if wanted.is_met(second, estimates):
             break
     shoulder = {name: part for name, part in estimates.items() if name not in FORMAL_ORDERS}
     return Reference(
@@ -144,29 +202,14 @@ def _predicted_level(meshes: Sequence[MeshSolution], *, recipe: Recipe, allowed:
     return recipe.levels[-1]
 
 
-# Chosen on the calibration contacts of validation/intervals/twin.py, which tests them on others. ORDER: power of the
-# cell size with which the error falls that a twin leaves, and those of two quantities that differ.
-ORDER, ORDERS = 4.0, {"semi_axis_transverse": 5.0, "approach": 3.0}
-# In bodies of true shape the error of the approach is that of their twin times 1 + SHAPED (c/r)^2, with the larger
-# semi-axis c and the ball's radius r.
-SHAPED = 0.8
-
-
-def solve_by_twin(
-    contact: Contact,
-    *,
-    recipe: Recipe,
-    accuracy: float,
-    quantities: Sequence[str],
-    undecided: Callable[[Estimates], bool],
-    progress: Progress,
-) -> Reference | None:
-    """Solve `contact` on two levels of `recipe` or more, each with its twin; arguments as those of `solve_reference`.
+def solve_by_twin(contact: Contact, wanted: Wanted) -> Reference | None:
+    """Solve `contact` on two levels or more, each with its twin.
 
     The effects of far boundary and lands come from the first level, and from the second where that is not certain
     enough.
     None where a twin says nothing: the contact is cut off by a shoulder, or far from the ellipse expected.
     """
+    recipe, progress = wanted.recipe, wanted.progress
     progress(0.0, f"{contact.pair}: size of the contact")
     coarse = twin_on_level(
         contact, recipe=recipe, level=recipe.levels[0], start=expected_semi_axes(contact, geometry="real")
@@ -199,13 +242,11 @@ def solve_by_twin(
             both = each_side(solution.mesh, recipe=recipe) if has_sides(solution.mesh, recipe=recipe) else ()
             boundary = region(coarse, left=FARTHER_LEFT)
         estimates = estimated()
-        if on_first and (any(estimates[name].total > accuracy for name in quantities) or undecided(estimates)):
+        rough = any(estimates[name].total > wanted.accuracy for name in wanted.quantities)
+        if on_first and (rough or wanted.leaves_undecided(contact, estimates)):
             boundary, on_first = region(solutions[1], left=FARTHER_LEFT_ON_SECOND), False
             estimates = estimated()
-        accurate = all(
-            estimates[name].mesh <= mesh_allowed(accuracy, domain=estimates[name].domain) for name in quantities
-        )
-        if accurate and not undecided(estimates):
+        if wanted.is_met(solution.mesh, estimates):
             break
     return Reference(
         meshes=tuple(solution.mesh for solution in solutions), estimates=estimates, shoulder={}, refinement="twin"
@@ -216,17 +257,14 @@ def estimates_with_twin(solutions: Sequence[TwinSolution]) -> Estimates:
     """Each quantity from two levels or more, coarse to fine, without the effect of the far boundary."""
     before, last = solutions[-2:]
     shape = (max(last.mesh.pair.semi_axes) / last.mesh.contact.ball_radius) ** 2
-    ratio = last.mesh.level / before.mesh.level
-    limits, steps = {}, []
-    for name in COMPARED:
-        value = last.corrected[name]
-        change = value - before.corrected[name]
-        limits[name] = value + change / (ratio ** ORDERS.get(name, ORDER) - 1)
-        steps.append(abs(change / value) / (ratio**ORDER - 1))
-    limits["approach"] *= 1 + SHAPED * shape * (last.factors.approach - 1)
-    limits["stiffness"] = last.mesh.contact.load / limits["approach"] ** 1.5
-    shown = max(abs(getattr(last.factors, name) - 1) for name in COMPARED)
-    mesh = with_twin(shape=shape, shown=shown, step=max(steps))
+    limits, mesh = extrapolated(
+        before.corrected,
+        last.corrected,
+        finer=last.mesh.level / before.mesh.level,
+        load=last.mesh.contact.load,
+        curved=SHAPED * shape * (last.factors.approach - 1),
+        left=CURVED * shape * max(abs(getattr(last.factors, name) - 1) for name in COMPARED),
+    )
     sizes = [1 / solution.mesh.level for solution in solutions]
     estimates = {}
     for name in FORMAL_ORDERS:
@@ -241,31 +279,20 @@ def estimates_with_twin(solutions: Sequence[TwinSolution]) -> Estimates:
     return estimates
 
 
-def solve_reference(
-    contact: Contact,
-    *,
-    recipe: Recipe,
-    accuracy: float,
-    quantities: Sequence[str] = COMPARED,
-    undecided: Callable[[Estimates], bool] = lambda _: False,
-    progress: Progress,
-) -> Reference:
-    """Solve `contact` on as many levels of `recipe` as the accuracy needs.
+def extrapolated(
+    before: dict[str, float], last: dict[str, float], *, finer: float, load: float, curved: float, left: float
+) -> tuple[dict[str, float], dict[str, float]]:
+    """Each quantity for vanishing cells, and its relative uncertainty, from corrected meshes or pixels of two levels.
 
-    accuracy : required of the quantities, relative half-width
-    quantities : names of those that must reach the accuracy
-    undecided : whether a finer mesh is needed although the accuracy is reached
-    Contacts of true shape have a twin on each level. Plain levels follow where the twin does not hold: for the
-    idealisation, which would be its own twin, for a sheet, which bends, and where a shoulder cuts the contact off.
-    `Reference.refinement` says which was used.
+    finer : ratio of their cell sizes;  load : N
+    curved, left : relative, what the shape of the bodies adds to the approach, and to the uncertainty
     """
-    found = None
-    if recipe.geometry == "real":
-        found = solve_by_twin(
-            contact, recipe=recipe, accuracy=accuracy, quantities=quantities, undecided=undecided, progress=progress
-        )
-    if found is not None:
-        return found
-    return solve_by_levels(
-        contact, recipe=recipe, accuracy=accuracy, quantities=quantities, undecided=undecided, progress=progress
-    )
+    change = {name: last[name] - before[name] for name in COMPARED}
+    limits = {name: last[name] + part / (finer ** ORDERS.get(name, ORDER) - 1) for name, part in change.items()}
+    limits["approach"] *= 1 + curved
+    limits["stiffness"] = load / limits["approach"] ** 1.5
+    step = max(abs(part / last[name]) for name, part in change.items()) / (finer**ORDER - 1)
+    uncertainty = LEAST_WITH_TWIN + left + LEFT * step
+    mesh = {name: uncertainty * (STIFFNESS if name == "stiffness" else 1.0) for name in FORMAL_ORDERS}
+    mesh["peak_pressure"] += UNSTEADY_PRESSURE
+    return limits, mesh

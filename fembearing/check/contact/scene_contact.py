@@ -1,16 +1,18 @@
-"""Which contact of a scene is compared, and by which recipe it is meshed."""
+"""Which bearings and which contact of a scene are compared, and by which recipe it is meshed."""
 
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.contact.geometry import RACES, Race, pocket_contact, race_contact
 from analytic.errors import InputError, require_non_negative
 from analytic.numerics.records import Records
+from analytic.pair import pair_in_series
 from analytic.scene import Contact, Pair, Scene
 from analytic.torque import loaded_balls_of
 from analytic.words import NEWTON, NEWTON_MILLIMETRE, shown
@@ -18,6 +20,8 @@ from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 
 Shape = Geometry | Literal["ring"]  # "ring": the real contact, and separately what the ring adds
 RECIPES: dict[Shape, str] = {"real": "race", "hertzian": "hertzian", "wall": "wall", "ring": "race"}
+OfPair = Literal["first", "second"]
+NAMES: tuple[OfPair, OfPair] = ("first", "second")  # as in the torque of a pair
 POCKET_LOAD = 28.0  # N: the largest ball-cage force that the paper reports
 
 
@@ -103,3 +107,40 @@ def recipe_of(geometry: Shape, *, pair: Pair) -> Recipe:
 def as_meshed(contact: Contact, *, recipe: Recipe) -> Contact:
     """The contact that a recipe meshes: the half spaces of Hertz have no shoulder."""
     return replace(contact, shoulder=math.inf, far_shoulder=math.inf) if recipe.geometry == "hertzian" else contact
+
+
+def which_bearing(name: str | None) -> str:
+    """What follows the name of a part of one bearing; empty where there is one."""
+    return "" if name is None else f" of the {name} bearing"
+
+
+def place_of(pair: str, geometry: str, bearing: str | None = None) -> str:
+    """Where the ball sits, for example "ball on inner race"; bearing : "first" or "second" of a pair"""
+    if pair == "pocket":
+        return "ball in cage pocket, " + ("sheet on its rim" if geometry == "wall" else "thick seat")
+    return f"ball on {pair} race{which_bearing(bearing)}" + (", idealised" if geometry == "hertzian" else "")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class OneBearing:
+    """One bearing at the operating points at which its inner ring presses."""
+
+    name: OfPair | None  # None: the scene has one
+    scene: Scene  # without arrangement
+    points: NDArray[np.intp]  # numbers of its operating points in the scene, from 0
+
+
+def bearings_of(scene: Scene) -> Iterator[OneBearing]:
+    """The bearing of a scene, or those of a pair, with loads by Hertz's contacts.
+
+    A bearing whose inner ring presses nowhere is not among them. Raises InputError as friction_torque does.
+    """
+    if scene.arrangement is None:
+        yield OneBearing(name=None, scene=scene, points=np.arange(scene.operation.as_series().inner_speed.size))
+        return
+    by_hertz = replace(scene, effects={**scene.effects, "finite_geometry": "off"})
+    both = pair_in_series(by_hertz, scene.arrangement, None)
+    for name, points, rows in zip(NAMES, both.points, both.rows, strict=True):
+        if points.size:
+            operation = both.scene.operation.as_series().at(rows)
+            yield OneBearing(name=name, scene=replace(scene, arrangement=None, operation=operation), points=points)

@@ -15,19 +15,19 @@ from analytic.any_scene import scene_by
 from analytic.brief import Brief
 from analytic.errors import require_non_negative, require_packages
 from analytic.given import SceneOptions
+from analytic.labelled import Labelled, dataset_of, html_table
 from analytic.progress import Progress, silent
 from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.parts import Given, with_tolerance
 from analytic.units import METRIC
-from fembearing.check.comparison import Comparison, ShownVerdict, compared_with, could_be_decided, verdict_on, worst
-from fembearing.check.contact.bearings import OfPair, place_of
-from fembearing.check.contact.columns import COLUMNS, VERDICT, contact_dataset, contact_html, require_finite_results
+from fembearing.check.comparison import Comparison, ShownVerdict, worst
 from fembearing.check.contact.hertz import (
     ApproachCurve,
     CorrectedHertz,
     Profiles,
     approach_over_load,
+    beside_hertz,
     corrected_hertz,
     hertz_quantities,
     profiles_of,
@@ -39,23 +39,28 @@ from fembearing.check.contact.refinement import (
     Estimates,
     Reference,
     Refinement,
+    Wanted,
     solve_reference,
 )
-from fembearing.check.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
-from fembearing.check.contact.warnings import (
-    near_shoulder,
-    sheet_warnings,
-    shoulder_warning,
-    solve_warnings,
+from fembearing.check.contact.scene_contact import (
+    OfPair,
+    Shape,
+    as_meshed,
+    contact_of,
+    place_of,
+    recipe_of,
+    traced_to_load,
 )
+from fembearing.check.contact.warnings import near_shoulder, sheet_warnings, shoulder_warning, solve_warnings
 from fembearing.check.memory import peak_memory
 from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.nodal_stress import stress_at_nodes
 from fembearing.fem.solution import MeshSolution
 from fembearing.fem.subsurface import Side, body_displacement, body_of, von_mises
 from fembearing.mesh.meshfile import write_body
-from fembearing.mesh.recipe import Geometry, Recipe
+from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring
+from fembearing.quantities import CONTACT, CONTACT_COLUMNS, VERDICT
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -174,11 +179,6 @@ class ContactSolution(Brief):
     contact: Contact
     meshes: tuple[MeshSolution, ...]  # coarse to fine
 
-    def __post_init__(self) -> None:
-        """Raises InputError for a number that is not finite."""
-        found = {COLUMNS[name].meaning: value for name, value in self.columns().items()}
-        require_finite_results(found, of=f"{self.contact.pair} under {self.contact.load:g} N")
-
     def _facts(self) -> Iterator[str]:
         found = self.numbers
         approach = found.quantities["approach"]
@@ -207,17 +207,9 @@ class ContactSolution(Brief):
         return f"{f'{found.bearing}-' if found.bearing else ''}{found.pair}-{found.geometry}"
 
     def plot(self) -> "Figure":
-        """Pressure along both axes by finite elements and by Hertz, as the report has it.
+        """Pressure, GPa, along both axes over the position in semi-axes, as the report has it; below, nodes less Hertz.
 
-        Returns
-        -------
-        matplotlib.figure.Figure
-            GPa over the position in semi-axes; below, the nodes less Hertz.
-
-        Raises
-        ------
-        MissingPackageError
-            Matplotlib is not installed.
+        Raises MissingPackageError where Matplotlib is not installed.
         """
         require_packages("a figure", "matplotlib")
         from fembearing.check.contact.figure import DrawnPressure, pressure_figure
@@ -265,7 +257,7 @@ class ContactSolution(Brief):
         return written
 
     def columns(self) -> dict[str, float]:
-        """The values of `fembearing.check.contact.columns.COLUMNS`, SI."""
+        """The values of `fembearing.quantities.CONTACT_COLUMNS`, SI."""
         compared = self.numbers.quantities
         return {
             "load": self.contact.load,
@@ -278,7 +270,7 @@ class ContactSolution(Brief):
         }
 
     def to_dataset(self) -> Any:
-        """An xarray.Dataset of what is compared, with units."""
+        """An xarray.Dataset of what is compared, without dimensions, with units and meanings as attributes."""
         found = self.numbers
         attributes = {
             "pair": found.pair,
@@ -288,13 +280,24 @@ class ContactSolution(Brief):
             VERDICT: found.verdict,
             "warnings": "\n".join(found.warnings),
         }
-        return contact_dataset(self.columns(), attributes)
+        variables = {name: Labelled((), value, CONTACT_COLUMNS[name]) for name, value in self.columns().items()}
+        return dataset_of(variables, coordinates={}, attributes=attributes)
 
     def _repr_html_(self) -> str:
-        """A table in a notebook."""
-        found = self.numbers
-        caption = f"{found.pair}, {found.geometry}, {found.load:.4g} N: {found.verdict}"
-        return contact_html(self.columns(), caption)
+        """A table for a notebook: a row for each quantity."""
+        found, values = self.numbers, self.columns()
+        rows = [
+            [
+                f"{each.meaning}, {each.unit}",
+                f"{values[name]:.5g}",
+                f"{100 * values[f'uncertainty_{name}']:.2g}",
+                f"{values[f'hertz_{name}']:.5g}",
+                f"{100 * values[f'discrepancy_{name}']:+.2f}",
+            ]
+            for name, each in CONTACT.items()
+        ]
+        heads = ["", "finite elements", "uncertainty, %", "Hertz", "Hertz off by, %"]
+        return html_table(heads, rows, f"{found.pair}, {found.geometry}, {found.load:.4g} N: {found.verdict}")
 
 
 def solve_contact(
@@ -379,49 +382,23 @@ def compare_contact(
     sheet has no verdict; only its approach and stiffness must reach the accuracy.
     """
     start = time.perf_counter()
-    contact = as_meshed(contact, recipe=recipe)
+    contact, geometry = as_meshed(contact, recipe=recipe), recipe.geometry
     accuracy = tolerance if accuracy is None else accuracy
     hertz = hertz_quantities(contact)
-    thin = recipe.geometry == "wall"
+    thin = geometry == "wall"
     quantities = SHOWN_OF_A_SHEET if thin else COMPARED
-
-    def undecided(estimates: Estimates) -> bool:
-        return not thin and any(
-            could_be_decided(getattr(hertz, name), part, tolerance=tolerance) for name, part in estimates.items()
-        )
-
-    reference = solve_reference(
-        contact, recipe=recipe, accuracy=accuracy, quantities=quantities, undecided=undecided, progress=progress
-    )
-    overrun = near_shoulder(reference.meshes[-1], contact)
-    warnings = (
-        *(sheet_warnings(reference.meshes[-1], hertz=hertz.peak_pressure) if thin else ()),
-        *((shoulder_warning(contact, reference),) if overrun else ()),
-        *solve_warnings(
-            [(reference.meshes[-1], reference.estimates)], accuracy=accuracy, quantities=quantities, thin=thin
-        ),
-    )
-    compared = {}
-    for name, part in reference.estimates.items():
-        formula = getattr(hertz, name)
-        verdict = "shown" if thin else verdict_on(formula, part, tolerance=tolerance, valid=not overrun)
-        compared[name] = compared_with(part, formula, verdict=verdict)
-    numbers = _numbers(contact, recipe.geometry, reference, compared, tolerance=tolerance)
-    numbers = replace(numbers, warnings=(*warnings, *numbers.warnings), seconds=time.perf_counter() - start)
-    return ContactSolution(numbers=numbers, contact=contact, meshes=reference.meshes)
-
-
-def _numbers(
-    contact: Contact, geometry: Geometry, reference: Reference, compared: dict[str, Comparison], *, tolerance: float
-) -> ContactNumbers:
-    """The numbers of a solved contact; the warnings are those of the correction."""
-    hertz, meshes = hertz_quantities(contact), reference.meshes
-    correctable = is_correctable(contact, geometry)
+    limit = None if thin else tolerance
+    reference = solve_reference(contact, Wanted(recipe, accuracy, quantities, limit, progress=progress))
+    meshes, finest = reference.meshes, reference.meshes[-1]
+    overrun = near_shoulder(finest, contact)
+    judged = () if thin else FORMAL_ORDERS
+    compared = beside_hertz(hertz, reference.estimates, tolerance=tolerance, valid=not overrun, judged=judged)
+    correctable = geometry == "real" and contact.pair != "pocket"  # ball and race in their true shapes
     corrected, beyond = corrected_hertz(contact, hertz=hertz) if correctable else (None, ())
     values = {} if corrected is None else vars(corrected.quantities)
-    part = "half of the contact, " if meshes[-1].pair.footprint.half else ""
+    part = "half of the contact, " if finest.pair.footprint.half else ""
     way = "corrected by a half-space twin, " if reference.refinement == "twin" else ""
-    return ContactNumbers(
+    numbers = ContactNumbers(
         pair=contact.pair,
         geometry=geometry,
         load=contact.load,
@@ -432,16 +409,22 @@ def _numbers(
         corrected=corrected,
         interpolation_error={name: value / compared[name].reference - 1 for name, value in values.items()},
         verdict=worst(each.verdict for each in compared.values()),
-        method=f"finite elements, {geometry}, {part}{way}{meshes[-1].unknowns} unknowns",
+        method=f"finite elements, {geometry}, {part}{way}{finest.unknowns} unknowns",
         refinement=reference.refinement,
         meshes=tuple(MeshCost(level=mesh.level, unknowns=mesh.unknowns, seconds=mesh.seconds) for mesh in meshes),
-        pressure_profile=profiles_of(meshes[-1], hertz),
+        pressure_profile=profiles_of(finest, hertz),
         approach_curve=approach_over_load(contact, hertz=hertz, correctable=correctable),
         shoulder=_shoulder(contact, reference, hertz),
-        seconds=sum(mesh.seconds for mesh in meshes),
+        seconds=time.perf_counter() - start,
         peak_memory=peak_memory(),
-        warnings=beyond,
+        warnings=(
+            *(sheet_warnings(finest, hertz=hertz.peak_pressure) if thin else ()),
+            *((shoulder_warning(contact, reference),) if overrun else ()),
+            *solve_warnings([(finest, reference.estimates)], accuracy=accuracy, quantities=quantities, thin=thin),
+            *beyond,
+        ),
     )
+    return ContactSolution(numbers=numbers, contact=contact, meshes=meshes)
 
 
 def _shoulder(contact: Contact, reference: Reference, hertz: Quantities) -> Shoulder | None:
@@ -465,8 +448,3 @@ def _shoulder(contact: Contact, reference: Reference, hertz: Quantities) -> Shou
             for name, part in reference.shoulder.items()
         },
     )
-
-
-def is_correctable(contact: Contact, geometry: Shape) -> bool:
-    """Whether the correction for finite geometry applies: to ball and race in their true shapes."""
-    return geometry in ("real", "ring") and contact.pair != "pocket"

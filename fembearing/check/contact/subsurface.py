@@ -6,7 +6,6 @@ import numpy as np
 
 from analytic.contact.subsurface import subsurface_maximum
 from fembearing.check.comparison import Comparison, compared
-from fembearing.check.contact.columns import require_finite_results
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.fem.subsurface import Array, Side, SubsurfaceStress, subsurface_stress
 from fembearing.grid_convergence import FINEST, LEAST, UNSTEADY
@@ -25,16 +24,6 @@ class SubsurfaceComparison:
 
     side: Side  # "upper": the ball; "lower": the race or seat
     quantities: dict[str, Comparison]
-
-    def __post_init__(self) -> None:
-        """Raises InputError for a number that is not finite."""
-        for name, each in self.quantities.items():
-            for by, value in (
-                ("by Hertz", each.production),
-                ("by finite elements", each.reference),
-                ("in uncertainty", each.uncertainty),
-            ):
-                require_finite_results({name.replace("_", " "): value}, of=f"{by}, below the {self.side} surface")
 
 
 def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> SubsurfaceComparison:

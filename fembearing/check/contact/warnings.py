@@ -25,15 +25,41 @@ def near_shoulder(mesh: MeshSolution | PixelSolution, contact: Contact) -> bool:
 
 def solve_warnings(
     solved: Sequence[Solved], *, accuracy: float, quantities: Sequence[str], thin: bool
-) -> tuple[str, ...]:
+) -> Iterator[str]:
     """Missed accuracy, meshes that do not converge, and yielding, of one contact under one load or several.
 
     accuracy : required of the `quantities`, which are names, relative half-width
     thin : a sheet takes the place of the race
     """
-    missed = _missed(solved, accuracy=accuracy, quantities=quantities)
-    warnings = (missed, _unsettled(solved, thin=thin), _plastic(solved))
-    return tuple(warning for warning in warnings if warning)
+    mesh, name, part = max(
+        ((mesh, name, estimates[name]) for mesh, estimates in solved for name in quantities),
+        key=lambda each: each[2].total,
+    )
+    pair = mesh.contact.pair
+    if part.total > accuracy:
+        yield (
+            f"{pair}: required accuracy {percent_of(accuracy, 2)} not reached: uncertainty of {_words(name)} at "
+            f"{mesh.contact.load:g} N {percent_of(part.total, 2)} on level {mesh.level}, {percent_of(part.domain, 2)} "
+            "from the block"
+        )
+    loose = [
+        (_words(name), f"{mesh.contact.load:g}")
+        for mesh, estimates in solved
+        for name, part in estimates.items()
+        if not part.settled
+    ]
+    if loose:
+        names, loads = (", ".join(dict.fromkeys(words)) for words in zip(*loose, strict=True))
+        yield f"{pair}{', sheet' if thin else ''}: the meshes do not converge in {names} at {loads} N"
+    over = [mesh for mesh, _ in solved if mesh.quantities.peak_pressure > STATIC_LIMIT]
+    if over:
+        least = min(over, key=lambda mesh: mesh.contact.load)
+        what = "peak pressure" if least.shoulder is None else "the pressure at y = 0,"
+        yield (
+            f"{pair}: {what} {pressure_of(least.quantities.peak_pressure)} at {least.contact.load:g} N is above the "
+            f"static limit, {pressure_of(STATIC_LIMIT)}, of bearing steel: both models are elastic, the real contact "
+            "is not; lower the load"
+        )
 
 
 def sheet_warnings(mesh: MeshSolution, *, hertz: float) -> Iterator[str]:
@@ -94,51 +120,6 @@ def series_shoulder_warning(contact: Contact, *, load: float) -> str:
 def two_loads_warning(contact: Contact) -> str:
     """Why the law of two loads has no uncertainty."""
     return f"{contact.pair}: two loads fit any power law: K, n and tangents have no uncertainty; give a third load"
-
-
-def _missed(solved: Sequence[Solved], *, accuracy: float, quantities: Sequence[str]) -> str | None:
-    """The most uncertain of all quantities and loads, if it misses the required accuracy."""
-    mesh, name, part = max(
-        ((mesh, name, estimates[name]) for mesh, estimates in solved for name in quantities),
-        key=lambda each: each[2].total,
-    )
-    if part.total <= accuracy:
-        return None
-    return (
-        f"{mesh.contact.pair}: required accuracy {percent_of(accuracy, 2)} not reached: uncertainty of {_words(name)} "
-        f"at {mesh.contact.load:g} N {percent_of(part.total, 2)} on level {mesh.level}, "
-        f"{percent_of(part.domain, 2)} from the block"
-    )
-
-
-def _unsettled(solved: Sequence[Solved], *, thin: bool) -> str | None:
-    """All quantities in which the meshes of some load do not converge."""
-    loose = [
-        (mesh.contact, _words(name))
-        for mesh, estimates in solved
-        for name, part in estimates.items()
-        if not part.settled
-    ]
-    if not loose:
-        return None
-    names = ", ".join(dict.fromkeys(name for _, name in loose))
-    loads = ", ".join(f"{load:g}" for load in dict.fromkeys(contact.load for contact, _ in loose))
-    place = f"{loose[0][0].pair}, sheet" if thin else loose[0][0].pair
-    return f"{place}: the meshes do not converge in {names} at {loads} N"
-
-
-def _plastic(solved: Sequence[Solved]) -> str | None:
-    """The smallest load under which bearing steel would yield."""
-    over = [mesh for mesh, _ in solved if mesh.quantities.peak_pressure > STATIC_LIMIT]
-    if not over:
-        return None
-    least = min(over, key=lambda mesh: mesh.contact.load)
-    what = "peak pressure" if least.shoulder is None else "the pressure at y = 0,"
-    return (
-        f"{least.contact.pair}: {what} {pressure_of(least.quantities.peak_pressure)} at {least.contact.load:g} N is "
-        f"above the static limit, {pressure_of(STATIC_LIMIT)}, of bearing steel: both models are elastic, the real "
-        "contact is not; lower the load"
-    )
 
 
 def _words(quantity: str) -> str:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.contact.geometry import RACES, race_curvatures, race_numbers
-from analytic.contact.rolling_contact import ContactNumbers
+from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
 from analytic.effects import counted_effects
 from analytic.errors import InputError
 from analytic.free_ball.state import PITCH, ROWS
@@ -181,18 +181,8 @@ def by_formula(production: Production) -> tuple[RaceFriction[float], RaceFrictio
 def _contact(scene: Scene, k: int, angle: float, load: float, rate: float) -> ContactNumbers:
     numbers = race_numbers(scene.bearing, RACES[k])
     along, across = race_curvatures(scene.bearing, RACES[k], contact_angle=angle)
-    unit = unit_under(scene.bearing, RACES[k], angle)
-    size = load ** (1 / 3)
-    return ContactNumbers(
-        load=load,
-        semi_axis_rolling=size * unit.semi_axis_rolling,
-        semi_axis_transverse=size * unit.semi_axis_transverse,
-        curvature_rolling=float(along),
-        curvature_transverse=float(across),
-        modulus=numbers.modulus,
-        deformed_radius=numbers.deformed_radius,
-        rolling_rate=rate,
-    )
+    contact = elliptic_contact(along, across, load, numbers.modulus)
+    return contact._replace(deformed_radius=numbers.deformed_radius, rolling_rate=rate)
 
 
 def _of_line(k: int, contact: ContactNumbers, slip: MicroslipTorque, speed: float) -> RaceFriction[float]:

@@ -7,28 +7,21 @@ have the same loads at rest, the same law of traction and Hertz's contacts, with
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from analytic.brief import Brief
+from analytic.columns import COORDINATES
 from analytic.contact.geometry import RACES, Race
 from analytic.errors import InputError, require_positive
 from analytic.progress import Progress, silent
 from analytic.rows import OperatingPoint, Positive
-from analytic.scene import Bearing, Material, Operation, Scene
+from analytic.scene import Material, Scene
 from fembearing.check.comparison import Comparison, compared
-from fembearing.check.contact.bearings import OfPair
 from fembearing.check.contact.compliance import Compliance
-from fembearing.check.contact.scene_contact import balls_of, heaviest_place, traced_to_load
+from fembearing.check.contact.scene_contact import OfPair, balls_of, heaviest_place, traced_to_load
 from fembearing.check.creep.meshed_bodies import with_meshed_bodies
-from fembearing.check.creep.production import (
-    ProducedBall,
-    Production,
-    by_formula,
-    by_march,
-    produced,
-)
+from fembearing.check.creep.production import ProducedBall, Production, by_formula, by_march, produced
 from fembearing.creep.ball import RaceCreep, TurningBall
 from fembearing.creep.reference import CreepReference, RaceFriction, creep_reference
 from fembearing.grid_convergence import Estimate
@@ -72,6 +65,11 @@ class CreepNumbers:
     warnings: tuple[str, ...]
     compliance: Compliance = "half-space"  # of the reference
     bearing: OfPair | None = None  # of a pair
+
+    @property
+    def load(self) -> float:
+        """Of the ball, the larger one of both races, N."""
+        return max(race.load for race in self.races.values())
 
     @property
     def relative_uncertainty(self) -> float:
@@ -120,39 +118,15 @@ def creep_of(
 ) -> SceneCreep:
     """Solve the friction of the heaviest ball, and compare formula and production with it.
 
-    Parameters
-    ----------
-    scene : Scene
-        With a friction coefficient, or oil and surfaces.
-    load : float, optional
-        Of the heaviest ball, N, > 0: all loads of its operating point are scaled; None: the scene's.
-    inner_speed : float, optional
-        Of the inner ring, rad/s, of either sign, not 0; None: that of the operating point of the heaviest ball.
-    friction : float, optional
-        Coefficient of both races, in place of the scene's; dimensionless.
-    tolerance : float, optional
-        Required of the torque by sliding, relative (dimensionless); None: the scene's.
-    compliance : {"half-space", "meshed"}
-        Elastic bodies of the reference: half spaces, or ball and race of true shape by finite elements.
-    progress : callable
-        Called with the share done, 0 to 1 (dimensionless), and the name of the current step.
-
-    Returns
-    -------
-    SceneCreep
-        Formula, production and reference with its uncertainty, SI.
-
-    Raises
-    ------
-    InputError
-        For a scene without friction, standstill, what no method covers, and meshed bodies whose contact a shoulder
-        cuts off.
-    ConvergenceError
-        Where the ball slides all over, or the iteration does not converge.
-
-    Notes
-    -----
+    load : of the heaviest ball, N, > 0: all loads of its operating point are scaled; None: the scene's
+    inner_speed : of the inner ring, rad/s, of either sign, not 0; None: at the operating point of the heaviest ball
+    friction : coefficient of both races, in place of the scene's; dimensionless
+    tolerance : required of the torque by sliding, relative; None: the scene's
+    compliance : of the reference: half spaces, or ball and race of true shape by finite elements
+    progress : called with the share done, 0 to 1, and the name of the current step
     Under a radial load or a moment the ring stays where production places it. Balls that differ are solved one by one.
+    Raises InputError for a scene without friction, standstill, what no method covers, and meshed bodies whose contact a
+    shoulder cuts off; ConvergenceError where the ball slides all over, or the iteration does not converge.
     """
     limit = scene.tolerance if tolerance is None else tolerance
     require_positive(tolerance=limit)
@@ -172,7 +146,7 @@ def creep_of(
     }
     grid = heaviest.grids[-1]
     numbers = CreepNumbers(
-        point=_point_of(given.operation),
+        point=OperatingPoint(**{name: float(getattr(given.operation.as_series(), name)[0]) for name in COORDINATES}),
         friction_coefficient=given.friction_coefficient,
         races=races,
         torque=compared(production.torque, reference, uncertainty, formula=production.formula),
@@ -277,28 +251,18 @@ def _race(
 ) -> RaceNumbers:
     """One race; methods : formula and production;  speed : of the ring, rad/s"""
     side, spin = -1.0 if mirrored else 1.0, float(np.sign(race.friction.creepages.spin))
-
-    def beside(name: str, sign: float = 1.0, most: float = np.inf) -> Comparison:
-        formula, march = (getattr(method, name) for method in methods)
-        found: Any = getattr(estimates, name)
-        return compared(march, min(sign * found.value, most), found.uncertainty, formula=formula)
-
-    torque = estimates.torque
-    quantities = {
-        "creepage_along": beside("creepage_along"),
-        "creepage_across": beside("creepage_across", side),
-        "spin_creepage": beside("spin_creepage", spin),
-        "spin_moment": beside("spin_moment", -race.side * spin),
-        "rolling_moment": beside("rolling_moment", -1.0),
-        "transverse_force": beside("transverse_force", side),
-        "slip_share": beside("slip_share", most=1.0),
-        "power": compared(
-            speed * methods[1].torque,
-            speed * torque.value,
-            speed * torque.uncertainty,
-            formula=speed * methods[0].torque,
-        ),
-    }
+    signs = {"spin_creepage": spin, "spin_moment": -race.side * spin, "rolling_moment": -1.0}
+    signs |= {"creepage_across": side, "transverse_force": side}
+    quantities = {}
+    for name, each, formula, march in zip(RaceFriction._fields, estimates, *methods, strict=True):
+        value = signs.get(name, 1.0) * each.value
+        unit = speed if name == "torque" else 1.0
+        quantities["power" if name == "torque" else name] = compared(
+            unit * march,
+            unit * (min(value, 1.0) if name == "slip_share" else value),
+            unit * each.uncertainty,
+            formula=unit * formula,
+        )
     return RaceNumbers(
         contact_angle=race.angle * side,
         load=race.load,
@@ -308,15 +272,10 @@ def _race(
     )
 
 
-def _point_of(operation: Operation) -> OperatingPoint:
-    names = ("inner_speed", "axial_load", "radial_load", "moment")
-    return OperatingPoint(**{name: float(np.ravel(getattr(operation, name))[0]) for name in names})
-
-
 def _warnings(scene: Scene) -> Iterator[str]:
     bearing, friction = scene.bearing, scene.friction_coefficient
     for race in RACES:
-        beta = abs(_dundurs(bearing, race))
+        beta = abs(_dundurs(bearing.ball_material, getattr(bearing, race).material))
         if beta > 0:
             size = "mu beta" if friction is None else f"mu beta, {100 * friction * beta:.2g} % of it"
             yield (
@@ -325,12 +284,9 @@ def _warnings(scene: Scene) -> Iterator[str]:
             )
 
 
-def _dundurs(bearing: Bearing, race: Race) -> float:
-    """Dundurs' second constant of ball and race, [Johnson1985] section 5.1."""
-
-    def parts(body: Material) -> tuple[float, float]:
-        per_modulus = (1 + body.poisson_ratio) / body.youngs_modulus  # 1/(2 G)
-        return (1 - 2 * body.poisson_ratio) * per_modulus, 2 * (1 - body.poisson_ratio) * per_modulus
-
-    (ball, ball_whole), (other, other_whole) = parts(bearing.ball_material), parts(getattr(bearing, race).material)
-    return (ball - other) / (ball_whole + other_whole)
+def _dundurs(*bodies: Material) -> float:
+    """Dundurs' second constant of two bodies, [Johnson1985] section 5.1."""
+    softness = [(1 + each.poisson_ratio) / each.youngs_modulus for each in bodies]  # 1/(2 G)
+    ball, other = ((1 - 2 * each.poisson_ratio) * part for each, part in zip(bodies, softness, strict=True))
+    whole = sum(2 * (1 - each.poisson_ratio) * part for each, part in zip(bodies, softness, strict=True))
+    return (ball - other) / whole

@@ -2,18 +2,25 @@
 
 The formulas are central film [Nijenbanning1994], minimum film [Hamrock1977] and rolling force [Biboulet2010]. Both
 sides have the same oil, the same load and the same speed, without heat of the inlet, starvation and roughness.
+The ball turns by closed kinematics, and the oil has the temperature of the scene.
 """
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from analytic.brief import Brief
 from analytic.contact.geometry import Race
+from analytic.contact.rolling_contact import ContactNumbers, deformed_radius
 from analytic.errors import ConvergenceError, InputError, require_packages
-from analytic.oil.film import FILM_FACTORS
+from analytic.oil.ehl_fit import Regime, film_correction, regime_of
+from analytic.oil.film import FILM_FACTORS, Inflow, central_film, minimum_ratio
+from analytic.oil.inlets import oil_supply
+from analytic.oil.lubrication import rolling_force_of
+from analytic.oil.rolling import RollingResistance, hydrodynamic_rolling
 from analytic.oil.variation import COVERAGE, FIT_SHARE, NOMINAL, ROLLING_SPREAD, Variation
 from analytic.oil.viscosity import oil_numbers
 from analytic.prediction.evaluation import parts_of, without_moving_cage
@@ -22,10 +29,8 @@ from analytic.progress import Progress, silent
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Contact, Scene
 from fembearing.check.comparison import Comparison, ShownVerdict, compared_with, worst
-from fembearing.check.contact.bearings import OfPair
 from fembearing.check.contact.compliance import Compliance, meshed_pair
-from fembearing.check.contact.scene_contact import balls_of, contact_at, heaviest_place
-from fembearing.check.film.closed_forms import ClosedForms
+from fembearing.check.contact.scene_contact import OfPair, balls_of, contact_at, heaviest_place
 from fembearing.ehl.ball_on_race import lubricated_contact
 from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.film import RATIO, NumericalFilm, numerical_film
@@ -38,6 +43,83 @@ if TYPE_CHECKING:
 REFINEMENTS = (0.75, 0.95, 1.2)  # of the middle grid, until the tolerance is reached
 OUTSIDE = "the formula of the rolling force is outside its range: rigid bodies would resist less than elastic ones"
 JUDGED = ("central_film", "rolling_force")  # must reach the tolerance; the minimum lies beside the contact's edge
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ClosedForms:
+    """Film and rolling force of one contact, smooth and isothermal, in closed form and as the torque takes them, SI."""
+
+    scene: Scene  # with a lubricant
+    pair: Race
+    contact: Contact
+    inner_speed: float  # of the inner ring, rad/s
+    problem: LubricatedContact  # what the numerical solution solves
+
+    @cached_property
+    def smooth(self) -> ContactNumbers:
+        """The contact as formulas take it."""
+        (a, b), (rolling, transverse) = self.problem.semi_axes, self.problem.shape.radii
+        contact = self.contact
+        return ContactNumbers(
+            load=contact.load,
+            semi_axis_rolling=a,
+            semi_axis_transverse=b,
+            curvature_rolling=1 / rolling,
+            curvature_transverse=1 / transverse,
+            modulus=self.problem.modulus,
+            deformed_radius=deformed_radius(groove_radius=contact.groove_radius, ball_diameter=2 * contact.ball_radius),
+            rolling_rate=1.0,
+            entrainment=1.0,
+        )
+
+    @cached_property
+    def inflow(self) -> Inflow:
+        """The oil as it enters."""
+        oil = self.problem.oil
+        return Inflow(self.problem.speed, oil.viscosity, oil.pressure_viscosity, oil.compressible, np.inf)
+
+    @property
+    def regime(self) -> Regime:
+        """Moes's numbers."""
+        return regime_of(self.smooth, self.inflow)
+
+    @property
+    def _oil(self) -> dict[str, float]:
+        oil = self.inflow
+        return {
+            "entrainment_speed": oil.speed,
+            "viscosity": oil.viscosity,
+            "pressure_viscosity": oil.pressure_viscosity,
+        }
+
+    def film(self, *, compressible: bool = False) -> float:
+        """Central film by [Nijenbanning1994], m."""
+        return float(central_film(self.smooth, **self._oil, compressible=compressible).thickness)
+
+    def model_film(self) -> float:
+        """Central film as the torque takes it, m."""
+        assert self.scene.lubricant is not None
+        film = self.film(compressible=self.inflow.compressible)
+        return film * np.exp(film_correction(self.regime)) if self.scene.lubricant.film_formula == "numerical" else film
+
+    def minimum_ratio(self) -> float:
+        """Minimum over central film by [Hamrock1977]."""
+        return float(minimum_ratio(self.smooth, **self._oil))
+
+    def resistance(self) -> RollingResistance:
+        """By [Biboulet2010]."""
+        return hydrodynamic_rolling(self.smooth, viscosity=self.inflow.viscosity, entrainment_speed=self.inflow.speed)
+
+    def model_force(self) -> tuple[float, float]:
+        """Rolling force as the torque takes it, N, and the share of the fit in it, 0 to 1."""
+        lubricant = self.scene.lubricant
+        assert lubricant is not None
+        formula = lubricant.rolling_formula
+        supply = oil_supply(self.scene.bearing, lubricant, self.pair, contact_angle=self.contact.contact_angle)
+        force, share, _ = rolling_force_of(
+            self.smooth, self.inflow, self.regime, supply, formula == "numerical", formula == "houpert"
+        )
+        return force, share
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -87,17 +169,9 @@ class RaceFilm(Brief):
         yield from (found.pair, f"{found.load:.4g} N", f"film {1e6 * film.reference:.4g} um")
 
     def plot(self) -> "Figure":
-        """Maps of pressure and film, and both along the line of rolling, as the report has them.
+        """Maps of pressure, GPa, and film, um, and both along the line of rolling, mm, as the report has them.
 
-        Returns
-        -------
-        matplotlib.figure.Figure
-            GPa, um and mm.
-
-        Raises
-        ------
-        MissingPackageError
-            Matplotlib is not installed.
+        Raises MissingPackageError where Matplotlib is not installed.
         """
         require_packages("a figure", "matplotlib")
         from fembearing.check.film.figure import film_figure
@@ -115,43 +189,17 @@ def film_of(
     compliance: Compliance = "half-space",
     progress: Progress = silent,
 ) -> RaceFilm:
-    """Solve the lubricated contact of the heaviest ball on one race and compare the formulas with it.
+    """Solve the lubricated contact of the heaviest ball on one race of a lubricated scene, and compare the formulas.
 
-    Parameters
-    ----------
-    scene : Scene
-        With a lubricant.
-    pair : {"inner", "outer"}
-        The race.
-    load : float, optional
-        Of the ball, N, > 0; None: the scene's largest.
-    inner_speed : float, optional
-        Of the inner ring, rad/s, of either sign; None: that of the operating point of the heaviest ball.
-    tolerance : float, optional
-        Required of central film and rolling force, relative (dimensionless); None: the scene's.
-    compliance : {"half-space", "meshed"}
-        Elastic bodies of the numerical solution: half spaces, or ball and race of true shape by finite elements.
-    progress : callable
-        Called with the share done, 0 to 1 (dimensionless), and the name of the current step.
-
-    Returns
-    -------
-    RaceFilm
-        Formula and numerical value with its uncertainty, SI.
-
-    Raises
-    ------
-    InputError
-        For a dry scene, standstill, what the numerical solution does not cover, and meshed bodies whose contact a
-        shoulder cuts off.
-    ConvergenceError
-        Where the numerical solution does not converge.
-
-    Notes
-    -----
-    The ball turns by closed kinematics. The oil has the temperature of the scene.
+    load : of the ball, N, > 0; None: the scene's largest
+    inner_speed : of the inner ring, rad/s, of either sign; None: that of the operating point of the heaviest ball
+    tolerance : required of central film and rolling force, relative; None: the scene's
+    compliance : of the numerical solution: half spaces, or ball and race of true shape by finite elements
+    progress : called with the share done, 0 to 1, and the name of the current step
+    Raises InputError for a dry scene, standstill, what the numerical solution does not cover, and meshed bodies whose
+    contact a shoulder cuts off; ConvergenceError where the numerical solution does not converge.
     """
-    closed, speed = problem_of(scene, pair, load=load, inner_speed=inner_speed)
+    closed = problem_of(scene, pair, load=load, inner_speed=inner_speed)
     problem = closed.problem
     if compliance == "meshed":
         progress(0.0, f"{pair}: compliance of ball and race")
@@ -160,7 +208,7 @@ def film_of(
     solution = _accurate(
         problem, tolerance=limit, progress=lambda share: progress(share, f"{pair}: film on three grids")
     )
-    found = _compared(closed, solution, inner_speed=speed, tolerance=limit)
+    found = compare_film(closed, solution, tolerance=limit)
     return replace(found, numbers=replace(found.numbers, compliance=compliance))
 
 
@@ -211,19 +259,8 @@ def _accurate(problem: LubricatedContact, *, tolerance: float, progress: Callabl
     return best
 
 
-def _heaviest(scene: Scene, race: Race) -> tuple[Contact, float, float]:
-    """The contact of the heaviest ball, the ring's speed there, rad/s, and the entrainment speed over it, m."""
-    balls = balls_of(scene)
-    place = heaviest_place(balls)
-    contact = contact_at(scene, balls, race, place)
-    rate = balls["motion"][f"{race}_entrainment"][place]
-    return contact, float(scene.operation.as_series().inner_speed[place[0]]), float(rate)
-
-
-def problem_of(
-    scene: Scene, pair: Race, *, load: float | None = None, inner_speed: float | None = None
-) -> tuple[ClosedForms, float]:
-    """The lubricated contact of the heaviest ball with its formulas, and the speed of the inner ring, rad/s.
+def problem_of(scene: Scene, pair: Race, *, load: float | None = None, inner_speed: float | None = None) -> ClosedForms:
+    """The lubricated contact of the heaviest ball with its formulas.
 
     load, inner_speed : N and rad/s; None: of the scene. Raises InputError for a dry scene, at standstill, and for what
     the numerical solution does not cover.
@@ -231,10 +268,12 @@ def problem_of(
     lubricant = scene.lubricant
     if lubricant is None:
         raise InputError("the scene is dry, without a film: add a table [lubricant]")
-    contact, speed, rate = _heaviest(scene, pair)
+    balls = balls_of(scene)
+    place = heaviest_place(balls)
+    contact = contact_at(scene, balls, pair, place)
     if load is not None:
         contact = replace(contact, load=load)
-    speed = speed if inner_speed is None else inner_speed
+    speed = float(scene.operation.as_series().inner_speed[place[0]]) if inner_speed is None else inner_speed
     if speed == 0:
         raise InputError("operation.inner_speed = 0: at standstill there is no film; give --speed or another scene")
     oil = Oil(
@@ -246,14 +285,14 @@ def problem_of(
     problem = lubricated_contact(
         contact,
         oil=oil,
-        entrainment_speed=speed * rate,
+        entrainment_speed=speed * float(balls["motion"][f"{pair}_entrainment"][place]),
         ahead=lubricant.reach.ahead * contact.ball_radius,
         behind=lubricant.reach.behind * contact.ball_radius,
     )
-    return ClosedForms(scene=scene, pair=pair, contact=contact, problem=problem), speed
+    return ClosedForms(scene=scene, pair=pair, contact=contact, inner_speed=speed, problem=problem)
 
 
-def _compared(closed: ClosedForms, solution: NumericalFilm, *, inner_speed: float, tolerance: float) -> RaceFilm:
+def compare_film(closed: ClosedForms, solution: NumericalFilm, *, tolerance: float) -> RaceFilm:
     """The formulas beside a solution of the same contact."""
     problem, contact = closed.problem, closed.contact
     film, produced_film = closed.film(), closed.model_film()
@@ -275,7 +314,7 @@ def _compared(closed: ClosedForms, solution: NumericalFilm, *, inner_speed: floa
     numbers = FilmNumbers(
         pair=closed.pair,
         load=contact.load,
-        inner_speed=inner_speed,
+        inner_speed=closed.inner_speed,
         entrainment_speed=problem.speed,
         viscosity=problem.oil.viscosity,
         pressure_viscosity=problem.oil.pressure_viscosity,

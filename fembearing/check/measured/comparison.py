@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from statistics import fmean, stdev
 from time import perf_counter
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
@@ -19,12 +19,12 @@ from analytic.given import SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.progress import Progress, part_of, silent
 from analytic.rows import Count, NotNegative
-from analytic.scene import MeasuredTorque, Operation, Scene
+from analytic.scene import MeasuredTorque, Scene
 from analytic.scenefile.columns import operating_points, require_loads
 from analytic.scenefile.measured import read_measured
 from analytic.verdicts import Overall
 from fembearing.check.measured.conclusions import conclusions_of, notes_of
-from fembearing.check.measured.rows import OF_ROW, MeasuredRow, row_of
+from fembearing.check.measured.rows import MeasuredRow, row_of
 
 if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
     from analytic.prediction.prediction import Prediction
@@ -61,14 +61,10 @@ class MeasuredComparison(Brief):
         return "pass" if all(row.verdict == "inside" for row in self.rows) else "fail"
 
     def columns(self) -> dict[str, Labelled]:
-        """Every number of the rows, SI, NaN where it is not known."""
-        found = {name: [getattr(row, name) for row in self.rows] for name in OF_ROW}
-        return {
-            name: Labelled(
-                (ROW,), np.array([np.nan if each is None else each for each in values]), (COORDINATES | COLUMNS)[name]
-            )
-            for name, values in found.items()
-        }
+        """Every number of the rows, SI, NaN where it is not known, the operating points first."""
+        described, names = COORDINATES | COLUMNS, [part.name for part in fields(MeasuredRow) if part.name != "verdict"]
+        found = {name: np.array([getattr(row, name) for row in self.rows], dtype=np.float64) for name in names}
+        return {name: Labelled((ROW,), values, described[name]) for name, values in found.items()}
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over the rows, SI, with units and meanings as attributes."""
@@ -85,10 +81,10 @@ class MeasuredComparison(Brief):
         return frame_of(self._labelled(), ROW)
 
     def _labelled(self) -> dict[str, Labelled]:
-        """Numbers and verdicts of the rows, the operating points first."""
-        columns, verdicts = self.columns(), [row.verdict for row in self.rows]
+        """Numbers and verdicts of the rows."""
+        verdicts = [row.verdict for row in self.rows]
         words = {"verdict": Labelled((ROW,), verdicts, Column("", "place of the measured torque"))}
-        return {name: columns[name] for name in COORDINATES} | columns | words
+        return self.columns() | words
 
 
 def compare_measured(
@@ -133,6 +129,8 @@ def compare_measured(
     -----
     Source: [ASME2009]; the intervals are those of `analytic.predict`.
     """
+    from analytic.prediction.prediction import predict
+
     begun = perf_counter()
     if data is not None and not isinstance(scene, Scene):  # a bearing has no usual load beside loads of the file
         given = {**given, "measured": data}
@@ -145,7 +143,12 @@ def compare_measured(
         )
     scenes = list(_scenes(scene, measured))
     predictions = [
-        _predicted(each, samples, seed, part_of(progress, number / len(scenes), (number + 1) / len(scenes)))
+        predict(
+            each,
+            samples=samples,
+            seed=seed,
+            progress=part_of(progress, number / len(scenes), (number + 1) / len(scenes)),
+        )
         for number, (_, each) in enumerate(scenes)
     ]
     found: dict[int, MeasuredRow] = {}
@@ -153,7 +156,7 @@ def compare_measured(
         for point, place in enumerate(places.tolist()):
             found[place] = row_of(measured, place, prediction, point, each)
     rows = tuple(found[place] for place in range(measured.torque.size))
-    relative, shares = [row.relative for row in rows], _leading(predictions)
+    relative, shares = [row.relative for row in rows], leading(predictions)
     mean_error, scatter = fmean(relative), stdev(relative) if len(relative) > 1 else None
     return MeasuredComparison(
         scene=scene.name,
@@ -172,15 +175,14 @@ def compare_measured(
     )
 
 
-def _predicted(scene: Scene, samples: int | None, seed: int, progress: Progress) -> "Prediction":
-    from analytic.prediction.prediction import predict
-
-    return predict(scene, samples=samples, seed=seed, progress=progress)
-
-
 def _scenes(scene: Scene, measured: MeasuredTorque) -> Iterator[tuple[NDArray[np.intp], Scene]]:
-    """The rows of each temperature of the oil, and the scene there: another temperature is another oil."""
-    operation, own = _operation(scene, measured), scene.lubricant
+    """The rows of each temperature of the oil, and the scene there: another temperature is another oil.
+
+    What the file lacks of the operating points is that of the scene, if it has one value of it.
+    """
+    points = operating_points(scene, measured.file, vars(measured), measured.torque.size)
+    require_loads(scene, measured.file, points)
+    operation, own = replace(scene.operation, **points), scene.lubricant
     temperatures, oils = measured.temperature, measured.oils
     if temperatures is None:
         yield np.arange(measured.torque.size), replace(scene, operation=operation)
@@ -191,9 +193,7 @@ def _scenes(scene: Scene, measured: MeasuredTorque) -> Iterator[tuple[NDArray[np
             "temperatures; change the file"
         )
     for temperature in np.unique(temperatures).tolist():
-        oil = oils.get(temperature)
-        if oil is None and own is not None and own.temperature == temperature:
-            oil = own
+        oil = oils.get(temperature) or (own if own is not None and own.temperature == temperature else None)
         if oil is None:
             has = "no oil" if own is None else f"its oil at {own.temperature - 273.15:.4g} degC alone"
             raise InputError(
@@ -201,18 +201,10 @@ def _scenes(scene: Scene, measured: MeasuredTorque) -> Iterator[tuple[NDArray[np
                 "together, analytic.load_scene(scene, measured=data)"
             )
         places = np.flatnonzero(temperatures == temperature)
-        at_it = operation.at(places)
-        yield places, replace(scene, operation=at_it, lubricant=oil)
+        yield places, replace(scene, operation=operation.at(places), lubricant=oil)
 
 
-def _operation(scene: Scene, measured: MeasuredTorque) -> Operation:
-    """The operating points of the rows; what the file lacks is that of the scene, if it has one value of it."""
-    points = operating_points(scene, measured.file, vars(measured), measured.torque.size)
-    require_loads(scene, measured.file, points)
-    return replace(scene.operation, **points)
-
-
-def _leading(predictions: Sequence["Prediction"]) -> dict[str, float]:
+def leading(predictions: Sequence["Prediction"]) -> dict[str, float]:
     """The inputs with the largest total indices at any row."""
     largest: dict[str, float] = {}
     for each in predictions:

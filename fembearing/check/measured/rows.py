@@ -25,23 +25,6 @@ if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
 
 COVERAGE = NormalDist().inv_cdf(0.975)  # standard uncertainties to a half-width of 95 %
 Inside = Literal["inside", "model too low", "model too high"]
-OF_ROW = (
-    *COORDINATES,
-    "temperature",
-    "measured",
-    "computed",
-    "error",
-    "numerical",
-    "input",
-    "measurement",
-    "validation",
-    "formulas",
-    "computed_low",
-    "computed_high",
-    "low",
-    "high",
-    "beyond",
-)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,9 +73,7 @@ def row_of(measured: MeasuredTorque, place: int, prediction: "Prediction", point
     middle, spread = float(total.median[point]), COVERAGE * (unsure or 0.0)
     low, high = middle - hypot(middle - ends[0], spread), middle + hypot(ends[1] - middle, spread)
     beyond = max(low - torque, torque - high, 0.0)
-    verdict: Inside = "inside"
-    if beyond > 0:
-        verdict = "model too low" if torque > high else "model too high"
+    outside: Inside = "model too low" if torque > high else "model too high"
     return MeasuredRow(
         **{name: float(getattr(nominal, name)[point]) for name in COORDINATES},
         temperature=None if scene.lubricant is None else scene.lubricant.temperature,
@@ -109,5 +90,5 @@ def row_of(measured: MeasuredTorque, place: int, prediction: "Prediction", point
         low=low,
         high=high,
         beyond=beyond,
-        verdict=verdict,
+        verdict=outside if beyond > 0 else "inside",
     )

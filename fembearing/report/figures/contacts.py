@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from analytic.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, PURPLE, RED, WIDTH, lettered
-from fembearing.check.contact.bearings import place_of
 from fembearing.check.contact.figure import CAPTION, CUT, DrawnPressure, contact_columns, pressure_figure
+from fembearing.check.contact.scene_contact import place_of
 from fembearing.check.contact.solution import ContactNumbers
 from fembearing.quantities import CONTACT, Units
 from fembearing.report.report import Report

@@ -13,7 +13,7 @@ from matplotlib.ticker import MaxNLocator
 from analytic.contact.geometry import RACES, Race
 from analytic.errors import ConvergenceError
 from analytic.words import Unit
-from fembearing.check.contact.bearings import OfPair
+from fembearing.check.contact.scene_contact import OfPair
 from fembearing.check.creep.scene_creep import SceneCreep
 from fembearing.creep.ball import Grid, RaceCreep, turn_ball
 from fembearing.creep.rolling import STICKS

@@ -19,7 +19,7 @@ from typing import Any, Literal
 from matplotlib.ticker import MaxNLocator
 
 from analytic.writing import write
-from fembearing.check.contact.bearings import place_of
+from fembearing.check.contact.scene_contact import place_of
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.quantities import MILLI, unit_for
 from fembearing.report.page.view import view_page

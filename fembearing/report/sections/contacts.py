@@ -5,11 +5,10 @@ from collections.abc import Iterator, Sequence
 from analytic.units import METRIC, MICRO, STIFFNESS, TANGENT, Units
 from analytic.words import angle_of, percent_of
 from fembearing.check.comparison import Comparison
-from fembearing.check.contact.bearings import place_of
-from fembearing.check.contact.load_series import LoadSeries
+from fembearing.check.contact.load_series import LoadSeries, PocketLaw
 from fembearing.check.contact.meshed_region import RingStructure
+from fembearing.check.contact.scene_contact import place_of
 from fembearing.check.contact.solution import ContactNumbers, sheet_in_series
-from fembearing.check.contact.stiffness_law import PocketLaw
 from fembearing.check.contact.subsurface import SubsurfaceComparison
 from fembearing.quantities import CONTACT, STRESSES, Quantity
 from fembearing.report.document import Bullets, Group, Head, Row, Section, Table, Text, table_of

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from analytic.units import speed_words
 from analytic.words import MILLINEWTON
-from fembearing.check.contact.bearings import which_bearing
+from fembearing.check.contact.scene_contact import which_bearing
 from fembearing.check.film.scene_film import FilmNumbers
 from fembearing.quantities import METRIC, Units
 from fembearing.report.document import Head, Section, Table, Text, table_of

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from fembearing.check.contact.bearings import place_of
+from fembearing.check.contact.scene_contact import place_of
 from fembearing.check.contact.solution import ContactNumbers
 from fembearing.report.document import Bullets, Section
 from fembearing.report.report import Report

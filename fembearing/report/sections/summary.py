@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from analytic.oil.film import FILM_FACTORS
 from analytic.scene_torque import SceneTorque
 from analytic.scenefile.inputs import StatedInput
-from fembearing.check.contact.bearings import which_bearing
+from fembearing.check.contact.scene_contact import which_bearing
 from fembearing.check.contact.solution import ContactNumbers
 from fembearing.quantities import CONTACT, METRIC
 from fembearing.report.document import (

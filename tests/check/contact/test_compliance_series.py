@@ -6,19 +6,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.progress import silent
 from analytic.scene import Contact
 from fembearing.check.contact.compliance import (
     APART,
+    BETWEEN,
     PairSeries,
     ends_before_shoulder,
     pair_series,
     sampling_loads,
 )
 from fembearing.check.contact.load_series import compare_series
-from fembearing.check.contact.meshed_region import FADING
-from fembearing.check.contact.refinement import COMPARED, solve_reference
-from fembearing.check.contact.uncertainty import BETWEEN, STIFFNESS
+from fembearing.check.contact.meshed_region import FADING, STIFFNESS
+from fembearing.check.contact.refinement import COMPARED, Wanted, solve_reference
 from fembearing.fem.compliance import pair_compliance
 from fembearing.fem.pixel_contact import press_pair
 from fembearing.fem.twin import shared_axes
@@ -60,7 +59,7 @@ def test_it_agrees_with_meshes_of_that_load(series: tuple[Contact, PairSeries], 
     """
     contact, over_load = series
     _, estimates = over_load.under(load)
-    single = solve_reference(replace(contact, load=load), recipe=RECIPE, accuracy=5e-4, progress=silent)
+    single = solve_reference(replace(contact, load=load), Wanted(RECIPE, accuracy=5e-4))
     for name, part in single.estimates.items():
         assert abs(estimates[name].value / part.value - 1) < estimates[name].total + part.total, name
         assert estimates[name].total < 1e-3 * (STIFFNESS if name == "stiffness" else 1), name

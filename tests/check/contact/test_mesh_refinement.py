@@ -7,27 +7,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.progress import silent
 from analytic.scene import Contact
-from fembearing.check.contact.meshed_region import has_sides, sides_farther
-from fembearing.check.contact.refinement import (
-    solve_reference,
+from fembearing.check.contact.meshed_region import (
+    FARTHER_LEFT,
+    SIDES_LEFT,
+    SIDES_LEFT_IN_OTHERS,
+    has_sides,
+    sides_farther,
 )
-from fembearing.check.contact.uncertainty import FARTHER_LEFT, SIDES_LEFT, SIDES_LEFT_IN_OTHERS
-from fembearing.fem.measure import Quantities, ShoulderLoad
+from fembearing.check.contact.refinement import Wanted, solve_reference
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.grid_convergence import FINEST
 from fembearing.mesh.recipe import load_recipe
-
-ORDER = 3.0  # of a semi-axis
-
-
-def coarse_and_fine(change: float) -> list[Any]:
-    """The first two levels, a semi-axis apart by `change`."""
-    return [
-        SimpleNamespace(level=1, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3 * (1 + change))),
-        SimpleNamespace(level=2, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3)),
-    ]
 
 
 @pytest.mark.parametrize(
@@ -58,7 +49,7 @@ def test_the_sides_of_a_steep_contact_are_those_of_a_finer_mesh(contacts: dict[s
     far = 4.21e-3 * np.sin(0.7)  # the bottom of the groove
     contact = replace(contacts["outer"], shoulder=1.5e-3, far_shoulder=far, contact_angle=0.7, load=200.0)
     recipe = load_recipe("race")
-    found = solve_reference(contact, recipe=recipe, accuracy=0.9, progress=silent)
+    found = solve_reference(contact, Wanted(recipe, accuracy=0.9))
     axes = found.meshes[1].pair.semi_axes
     thirds = [
         solve_on_mesh(contact, recipe=recipe, level=3, semi_axes=axes, sides=sides).quantities
@@ -78,12 +69,3 @@ def test_the_sides_of_a_steep_contact_are_those_of_a_finer_mesh(contacts: dict[s
         # Half differs from the mean of its quarters by 1.5e-5, in the stiffness by more; intervals hold FINEST besides.
         allowed = left[name] * largest + FINEST / 2 + abs(power) * FARTHER_LEFT * abs(lands)
         assert abs(part.sides - sides) < allowed, name
-
-
-def level_of(level: int, *, shoulder: ShoulderLoad | None = None, **values: float) -> Any:
-    """A solved level with these in place of the usual quantities."""
-    usual = Quantities(
-        semi_axis_rolling=0.12e-3, semi_axis_transverse=0.7e-3, peak_pressure=2.1e9, approach=6.2e-6, stiffness=2.4e10
-    )
-    pair = SimpleNamespace(semi_axes=(0.12e-3, 0.7e-3))
-    return SimpleNamespace(level=level, quantities=replace(usual, **values), shoulder=shoulder, pair=pair)

@@ -5,7 +5,8 @@ from typing import Any
 
 import pytest
 
-from fembearing.check.contact.mesh_seconds import about, predicted_seconds
+from fembearing.check.contact.refinement import predicted_seconds
+from fembearing.quantities import about
 
 
 def solved(unknowns: int, *, level: int = 2, seconds: float = 7.0) -> Any:

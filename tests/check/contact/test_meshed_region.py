@@ -7,23 +7,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.progress import silent
 from analytic.scene import Contact
 from fembearing.check.contact import meshed_region
 from fembearing.check.contact.meshed_region import (
     FADING,
-    Boundary,
-    boundary_effect,
-    boundary_effect_with_twin,
-)
-from fembearing.check.contact.refinement import solve_reference
-from fembearing.check.contact.uncertainty import (
     LEFT_BY_MESHES,
     SIDES_COARSE,
     SIDES_LEFT,
     SIDES_LEFT_IN_OTHERS,
     UNCERTAIN,
+    Boundary,
+    boundary_effect,
+    boundary_effect_with_twin,
 )
+from fembearing.check.contact.refinement import Wanted, solve_reference
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import solve_on_mesh
@@ -140,7 +137,7 @@ def test_at_forty_degrees_the_approach_has_its_lands_up_to_the_larger_block(pair
     The level is the finest on which no cell of that half is inside out.
     """
     contact, recipe = steep(pair, size=size), load_recipe("race")
-    found = solve_reference(contact, recipe=recipe, accuracy=2e-3, progress=silent).estimates["approach"]
+    found = solve_reference(contact, Wanted(recipe, accuracy=2e-3)).estimates["approach"]
     axes = expected_semi_axes(contact, geometry="real")
     quarter = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=axes)
     half = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=axes, extended=True, sides="both")

@@ -13,8 +13,15 @@ from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Arrangement, Contact, ContactAngle, Operation, Pair, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from fembearing.check.contact.bearings import bearings_of, which_bearing
-from fembearing.check.contact.scene_contact import as_meshed, balls_of, contact_of, recipe_of, traced_to_load
+from fembearing.check.contact.scene_contact import (
+    as_meshed,
+    balls_of,
+    bearings_of,
+    contact_of,
+    recipe_of,
+    traced_to_load,
+    which_bearing,
+)
 from fembearing.mesh.recipe import load_recipe
 
 

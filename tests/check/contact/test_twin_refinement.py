@@ -6,25 +6,23 @@ from typing import Any
 
 import pytest
 
-from analytic.progress import silent
 from analytic.scene import Contact
+from fembearing.check.contact.meshed_region import STIFFNESS
 from fembearing.check.contact.refinement import (
     COMPARED,
+    CURVED,
     FORMAL_ORDERS,
+    LEAST_WITH_TWIN,
+    LEFT,
     ORDER,
     ORDERS,
     SHAPED,
+    UNSTEADY_PRESSURE,
+    Wanted,
     estimates_with_twin,
     solve_reference,
 )
 from fembearing.check.contact.solution import ContactSolution, compare_contact
-from fembearing.check.contact.uncertainty import (
-    CURVED,
-    LEAST_WITH_TWIN,
-    LEFT,
-    STIFFNESS,
-    UNSTEADY_PRESSURE,
-)
 from fembearing.mesh.recipe import Recipe, load_recipe
 
 EXACT = {"semi_axis_rolling": 0.12e-3, "semi_axis_transverse": 0.7e-3, "peak_pressure": 2.1e9, "approach": 6.2e-6}
@@ -88,9 +86,7 @@ def test_the_result_says_whether_meshes_had_a_twin(
 def test_a_tighter_accuracy_takes_a_finer_level_with_its_twin(contacts: dict[str, Contact]) -> None:
     """Both agree within their intervals, which are as narrow as required."""
     contact, recipe = contacts["inner"], load_recipe("race")
-    loose, tight = (
-        solve_reference(contact, recipe=recipe, accuracy=accuracy, progress=silent) for accuracy in (1e-3, 5e-4)
-    )
+    loose, tight = (solve_reference(contact, Wanted(recipe, accuracy=accuracy)) for accuracy in (1e-3, 5e-4))
     assert ([mesh.level for mesh in loose.meshes], [mesh.level for mesh in tight.meshes]) == ([1, 2], [1, 2, 3])
     for name in COMPARED:
         one, other = loose.estimates[name], tight.estimates[name]

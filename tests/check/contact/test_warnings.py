@@ -32,7 +32,7 @@ def estimates(*, settled: bool = True, **uncertain: float) -> dict[str, Estimate
 
 def warnings(*solved: Any, **how: Any) -> tuple[str, ...]:
     usual: dict[str, Any] = {"accuracy": 0.02, "quantities": ("approach", "peak_pressure"), "thin": False}
-    return solve_warnings(solved, **(usual | how))
+    return tuple(solve_warnings(solved, **(usual | how)))
 
 
 def test_a_contact_is_near_its_shoulder_within_a_twentieth_or_where_it_is_cut_off(

@@ -8,14 +8,12 @@ import numpy as np
 import pytest
 
 from analytic.errors import InputError
-from analytic.progress import silent
 from analytic.scene import Autocorrelation, Contact, ContactAngle, HeightMapFile, Scene, Surface
 from analytic.scenefile.read import load_scene
 from fembearing.check.contact.refinement import COMPARED
 from fembearing.check.contact.solution import compare_contact
-from fembearing.check.cost.contact_ladder import contact_ladder_of, measured_contact
 from fembearing.check.cost.ladder import Ladder, measured
-from fembearing.check.cost.scene_cost import FORMULA_LADDERS, films, measure_cost
+from fembearing.check.cost.scene_cost import FORMULA_LADDERS, contact_ladder_of, contact_methods, films, measure_cost
 from fembearing.mesh.recipe import load_recipe
 from tests.analytic.specimens import present
 
@@ -145,7 +143,9 @@ def test_a_tolerance_must_be_positive() -> None:
 def test_errors_of_a_contact_fall_within_bounds_from_hertz_to_all_meshes(contacts: dict[str, Contact]) -> None:
     """Measured, and taken from a solution, whose numbers give the errors here; the contact is outside the fits."""
     recipe = replace(load_recipe("race"), levels=(1, 2, 3))
-    *methods, twin, extrapolated = measured_contact(contacts["inner"], recipe=recipe, tolerance=0.01, repeats=1).methods
+    *methods, twin, extrapolated = measured(
+        "contact", *contact_methods(contacts["inner"], recipe), tolerance=0.01, repeats=1
+    ).methods
     assert [method.name[-7:] for method in methods[2:]] == [f"level {level}" for level in (1, 2, 3, 1, 2)]
     for method in methods:
         assert present(method.error) < present(method.bound) < 10 * present(method.error), method.name
@@ -168,7 +168,7 @@ def test_errors_of_a_contact_fall_within_bounds_from_hertz_to_all_meshes(contact
 
 @pytest.mark.nightly
 def test_errors_of_a_film_fall_from_grid_to_grid() -> None:
-    film, force = films(load_scene("paper_6205"), tolerance=0.02, progress=silent)
+    film, force = (measured("film", *each, tolerance=0.02) for each in films(load_scene("paper_6205")))
     for ladder, limit in ((film, 0.05), (force, 0.06)):  # the stated error of the fit, and the solution's own
         _, fit, *grids, reference = ladder.methods
         assert (present(fit.error) < limit, reference.error) == (True, None)

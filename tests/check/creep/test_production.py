@@ -7,12 +7,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Scene
-from fembearing.check.creep.production import (
-    by_formula,
-    by_march,
-    models_of,
-    produced,
-)
+from fembearing.check.creep.production import by_formula, by_march, models_of, produced
 from tests.check.creep.test_scene_creep import THRUST, UNEQUAL, scene_of
 
 

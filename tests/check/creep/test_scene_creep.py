@@ -11,11 +11,7 @@ from analytic.errors import InputError
 from analytic.scene import ContactAngle, Scene
 from analytic.scenefile.read import parse_scene
 from fembearing.check.creep.production import by_formula, by_march, produced
-from fembearing.check.creep.scene_creep import (
-    CreepNumbers,
-    creep_of,
-    scene_at_heaviest,
-)
+from fembearing.check.creep.scene_creep import CreepNumbers, creep_of, scene_at_heaviest
 
 
 def scene_of(operation: str, bearing: str = 'catalog = "6205"', friction: str = "coefficient = 0.09") -> Scene:

@@ -10,9 +10,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.scene import Operation, Scene
 from analytic.scenefile.read import parse_scene
-from fembearing.check.film import scene_film
-from fembearing.check.film.closed_forms import ClosedForms
-from fembearing.check.film.scene_film import problem_of
+from fembearing.check.film.scene_film import ClosedForms, compare_film, problem_of
 from fembearing.grid_convergence import Estimate
 from tests.analytic.specimens import present
 from tests.check.film.test_closed_forms import scene_text
@@ -25,7 +23,7 @@ def scene() -> Scene:
 
 @pytest.fixture(scope="module")
 def closed(scene: Scene) -> ClosedForms:
-    return problem_of(scene, "outer")[0]
+    return problem_of(scene, "outer")
 
 
 def part(value: float, uncertainty: float) -> Estimate:
@@ -43,7 +41,7 @@ def compared(closed: ClosedForms, *, film: float = 1.0, force: float = 1.0) -> A
         dissipated_force=part(0.013, 0.05),
         seconds=7.0,
     )
-    return scene_film._compared(closed, solution, inner_speed=-67.0, tolerance=0.05).numbers
+    return compare_film(replace(closed, inner_speed=-67.0), solution, tolerance=0.05).numbers
 
 
 def test_each_quantity_stands_beside_its_formula_with_its_uncertainty(closed: ClosedForms) -> None:
@@ -84,11 +82,12 @@ def test_film_and_force_are_judged_by_the_stated_errors_of_the_model(
 
 
 def test_a_contact_takes_the_load_and_the_speed_that_are_asked_for(scene: Scene) -> None:
-    own, speed = problem_of(scene, "inner")
+    own = problem_of(scene, "inner")
+    speed = own.inner_speed
     assert speed == pytest.approx(640 * np.pi / 30, rel=1e-12)
-    other, faster = problem_of(scene, "inner", load=2.5 * own.contact.load, inner_speed=-3 * speed)
+    other = problem_of(scene, "inner", load=2.5 * own.contact.load, inner_speed=-3 * speed)
     assert other.contact.load == 2.5 * own.contact.load
-    assert faster == -3 * speed
+    assert other.inner_speed == -3 * speed
     assert abs(other.problem.speed / own.problem.speed) == pytest.approx(3.0, rel=1e-9)
     oil, ball = present(scene.lubricant), scene.bearing.ball_diameter / 2
     for side in ("ahead", "behind"):

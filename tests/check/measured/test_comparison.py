@@ -13,7 +13,7 @@ from analytic.scene import Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from fembearing import MeasuredComparison, compare_measured
-from fembearing.check.measured import comparison as module
+from fembearing.check.measured.comparison import leading
 from tests.analytic.scenefile.scene_texts import MINE
 from tests.analytic.scenefile.test_measured import OILED
 from tests.refusals import refused
@@ -74,14 +74,7 @@ def test_a_row_has_the_torque_of_its_operating_point(tmp_path: Path) -> None:
     assert found.scatter == pytest.approx(relative.std(ddof=1))
 
 
-def test_another_temperature_is_another_scene(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list[int] = []
-
-    def predicted(of: Scene, samples: int, *others: Any) -> Any:
-        asked.append(samples + 8 - 8 * len(asked))
-        return whole(of, asked[-1], *others)
-
-    whole = module._predicted
+def test_another_temperature_is_another_scene(tmp_path: Path) -> None:
     file = tmp_path / "data.csv"
     file.write_text("temperature [degC],inner_speed [rpm],torque [N mm]\n70,300,15\n55,300,15\n70,500,16\n")
     (tmp_path / "oiled.toml").write_text(OILED)
@@ -89,11 +82,8 @@ def test_another_temperature_is_another_scene(tmp_path: Path, monkeypatch: pytes
         OILED.replace("55 degC", "70 degC").replace('"900 rpm"', '["300 rpm", "500 rpm"]')
     )
     scene = load_scene(tmp_path / "oiled.toml", measured=file)
-    with monkeypatch.context() as patch:
-        patch.setattr(module, "_predicted", predicted)
-        found = compare_measured(scene, samples=SAMPLES)
-    assert asked == [SAMPLES + 8, SAMPLES]
-    assert found.samples == SAMPLES + 8  # the most of all
+    found = compare_measured(scene, samples=SAMPLES)
+    assert found.samples == SAMPLES
     warm = friction_torque(load_scene(tmp_path / "warm.toml")).torque.total
     np.testing.assert_allclose([found.rows[0].computed, found.rows[2].computed], warm, rtol=1e-13)  # rounding
     assert [row.temperature for row in found.rows] == [343.15, 328.15, 343.15]
@@ -159,4 +149,4 @@ def test_the_inputs_that_are_named_matter_most_at_any_row() -> None:
     first = of([0.1, 0.2], [0.5, 0.3], [0.05, 0.04], [0.3, 0.1])
     second = of([0.7, 0.0], [0.1, 0.1], [0.06, 0.01], [0.2, 0.4])
     for predictions in ([first, second], [second, first]):
-        assert list(module._leading(predictions).items()) == [("a", 0.7), ("b", 0.5), ("d", 0.4)]
+        assert list(leading(predictions).items()) == [("a", 0.7), ("b", 0.5), ("d", 0.4)]

@@ -155,7 +155,7 @@ def test_names_from_a_scene_cannot_break_the_page(checked: Validation) -> None:
 def test_without_cage_and_friction_there_is_neither_pocket_nor_torque(checked: Validation) -> None:
     scene = replace(checked.scene, cage=None, friction_coefficient=None)
     bare = replace(checked, contacts=checked.contacts[:2], torque=None, torque_change=None, sensitivity=None)
-    page = page_of(with_scene(replace(bare, creep=(), creep_change=None), scene))
+    page = page_of(with_scene(replace(bare, creep=()), scene))
     assert tuple(appendices(page).values()) == ALWAYS
     assert not any("torque" in heading for heading in page.headings)
     assert "No torque: no friction coefficient" in " ".join(page.text.split())
