@@ -126,7 +126,7 @@ def headline_table(result: SceneTorque, units: Units = METRIC) -> Table:
         is_long = len(computed) > MOST_ESTIMATED
         why = f"more than {MOST_ESTIMATED} points" if is_long else "no torque at the bound of an input"
         notes.append(f"No interval: {why}; try --interval.")
-    notes += [f"{len(result.left_out)} points without a torque are skipped."] if result.left_out else []
+    notes += [f"{len(lost)} points without a torque are skipped."] if (lost := result.places.failures) else []
     return table_of(headline_title(result, units), heads, _in_a_line(heads, rows, len(heads) - 1), notes)
 
 

@@ -111,7 +111,7 @@ def test_a_squeezed_cage_also_carries_its_weight() -> None:
     assert part.provenance == (
         "closed form at rest, squeezed by balls that lead at 2 of 3 points, friction by friction.coefficient"
     )
-    assert [part.row(point).state for point in range(3)] == ["squeezed", "squeezed", "rest"]
+    assert [row["state"] for row in part.rows] == ["squeezed", "squeezed", "rest"]
 
 
 def test_the_grip_of_a_race_counts_loads_above_0_alone() -> None:

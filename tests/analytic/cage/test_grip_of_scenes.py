@@ -10,7 +10,6 @@ from analytic import friction_torque
 from analytic.cage.drive import cage_drive
 from analytic.errors import InputError
 from analytic.scene import ContactAngle, Land, Operation, Scene
-from fembearing.plain_types import plain
 from tests.analytic.cage.specimens import CAGED, RPM, with_cage
 from tests.analytic.specimens import balls_of, effect_of, present
 
@@ -42,7 +41,7 @@ def test_a_whirl_states_its_share_of_the_grip() -> None:
     np.testing.assert_allclose(cage.grip_number, expected, rtol=1e-2)  # free balls turn 0.4 % faster
     np.testing.assert_allclose(cage.grip_share, cage.grip_number, rtol=0.02)  # the motion against its closed form
     assert np.all(result.numerical_uncertainty >= cage.half_interval / result.torque.total)
-    point: Any = plain(present(result.cage).row(0))
+    point = present(result.cage).rows[0]
     assert (point["grip_number"], point["grip_share"]) == (cage.grip_number[0], cage.grip_share[0])
     motion = present(cage.motion[0])
     assert (point["whirl_speed"], point["wobble"], point["ball_lead"]) == (motion.whirl_speed, motion.wobble, 0.0)
@@ -137,7 +136,7 @@ def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     assert not result.is_on("cage_dynamics")
     (warning,) = (warning for warning in result.warnings if "wider pockets avoid this" in warning)
     assert "at 500 rpm" in warning
-    point: Any = plain(present(result.cage).row(0))
+    point = present(result.cage).rows[0]
     assert (point["state"], point["max_force"], point["whirl_speed"]) == ("squeezed", None, None)
     # Creep alone would give some 170 N (test_grip.py), so every ball slides: 2 mu Q/1.1, up to the weight of the cage
     np.testing.assert_allclose(cage.grip_share, 1.0, rtol=2e-4)

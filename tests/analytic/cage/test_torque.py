@@ -10,9 +10,9 @@ from analytic import friction_torque
 from analytic.cage.pocket import friction_in_pocket
 from analytic.cage.statistics import measured_motion
 from analytic.cage.torque import driven_cage
+from analytic.columns import OF_CAGE
 from analytic.errors import InputError
 from analytic.scene import Land, Operation
-from fembearing.plain_types import plain
 from tests.analytic.cage.specimens import CAGED, with_cage
 from tests.analytic.specimens import FINISH, OIL, present
 
@@ -25,7 +25,7 @@ def test_the_closed_form_adds_the_torque_of_a_resting_cage() -> None:
     np.testing.assert_allclose(result.torque.total, result.torque.race + result.torque.cage, rtol=1e-12)
     # The cage hangs off the vertical by the angle of friction.
     np.testing.assert_allclose(present(result.cage).mean_force, 6.58e-3 * 9.80665 * np.cos(np.arctan(0.1)), rtol=1e-9)
-    point = plain(present(result.cage).row(1))
+    point = present(result.cage).rows[1]
     assert point["state"] == "rest"
     assert point["max_force"] is None
     assert result.rows[1]["friction_coefficient_pocket"] == 0.1
@@ -46,7 +46,7 @@ def test_the_closed_form_includes_drag() -> None:
         pressed = closed.mean_force - moved.mean_force
         assert np.all((-0.02 * moved.mean_force < pressed) & (pressed < 0.0642 + 0.02 * moved.mean_force))
         np.testing.assert_allclose(closed.signed_moment, moved.signed_moment, rtol=0.02)
-        assert closed.row(1).signed_moment == closed.signed_moment[1]
+        assert closed.rows[1]["signed_moment"] == closed.signed_moment[1]
         back = replace(scene_of.operation, inner_speed=-CAGED.operation.inner_speed)
         mirrored = friction_torque(
             replace(scene_of, operation=back, effects={**CAGED.effects, "cage_dynamics": "off"})
@@ -128,12 +128,13 @@ def test_a_start_calls_for_the_motion() -> None:
     assert torque[1] == fast.torque
     np.testing.assert_allclose(cage.half_interval, [0.0, np.diff(fast.torque_interval)[0] / 2])
     assert np.all(result.numerical_uncertainty >= cage.half_interval / result.torque.total)
-    point = plain(present(result.cage).row(1))
+    point = present(result.cage).rows[1]
     assert point["state"] == "whirl"
     assert point["max_force"] == fast.max_force
     assert point["interval"] == {"torque": list(fast.torque_interval), "max_force": list(fast.max_force_interval)}
     np.testing.assert_allclose(point["mean_force"], 15.95, rtol=0.02)  # m (w_b r/nabla + w_c)^2 nabla by hand
     assert point["duration"] == 0.06
+    assert cage.columns().keys() == OF_CAGE.keys()
     (warning,) = (warning for warning in result.warnings if "more than one steady motion" in warning)
     assert '"whirl" leads to whirl' in warning
     assert result.provenance["cage"].startswith('motion from "whirl", 40 steps a contact')

@@ -11,7 +11,6 @@ from analytic.loads.ring import ring_equilibrium
 from analytic.loads.ring_state import RingState
 from analytic.result import FrictionTorque
 from analytic.scene import Operation, Scene
-from fembearing.plain_types import plain
 from tests.analytic.specimens import present
 
 PLAIN = {"cage": "off", "cage_dynamics": "off", "finite_geometry": "off", "creep": "off", "weight": "off"}
@@ -112,7 +111,7 @@ def test_a_given_angle_has_no_displacement_and_a_thrust_bearing_begins_where_it_
     angle = replace(scene.contact_angle, rule="given", value=0.31, free=None)
     given = torque(replace(scene, contact_angle=angle), axial_load=[800.0], inner_speed=[9.0])
     assert present(given.ring).displacement is None
-    assert present(given.ring).row(0).displacement is None
+    assert present(given.ring).rows[0]["displacement"] is None
     washers = analytic.load_scene("validation/scenes/thrust_rig_3mm.toml")
     ring = present(torque(washers, axial_load=[9.0], inner_speed=[5.0]).ring)
     np.testing.assert_allclose(present(ring.displacement)[0, 0], ring.approach[0, :, 0].sum(), rtol=1e-9)
@@ -131,7 +130,7 @@ def test_a_pair_has_the_state_of_each_bearing(scene):
 def test_the_dataset_names_race_ball_and_freedom(scene):
     ring = state(scene, **LOADS)
     found = ring.to_dataset()
-    for point, content in enumerate(plain(ring.row(number)) for number in range(2)):
+    for point, content in enumerate(ring.rows):
         at = found.isel(point=point)
         for race in ("inner", "outer"):
             assert at["load"].sel(race=race).values.tolist() == content["balls"][f"{race}_load"]
