@@ -3,18 +3,17 @@
 CSV, JSON, datasets, data frames and tables read it.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from analytic.labelled import Column
 from analytic.scene import Array
 
-Point = Mapping[
-    str, Any
-]  # the numbers of one operating point by their names, SI; None: left out, not modelled or not known
+# The numbers of one operating point by their names, SI; None: left out, not modelled or not known
+Point = Mapping[str, Any]
 # SI unit -> size below which a number is what rounding leaves of 0.
 ROUNDING = {"N m": 1e-15, "rad": 1e-12, "m": 1e-15}
 OF_MODEL = "uncertainty_model_"  # how the names of the parts of the model's uncertainty begin
@@ -108,18 +107,79 @@ COLUMNS: dict[str, Column] = {
     "beyond": Column("N m", "distance of the measured torque from its 95 % interval"),
 }
 
+# What the cage does; a closed form has no value of some. A name with a slash is that of a number within a group.
+OF_CAGE: dict[str, Column] = {
+    "mean_force": Column("N", "sum of the normal forces in all pockets, mean", "F"),
+    "max_force": Column("N", "force of one contact, median over blocks of the largest", "F_max"),
+    "interval/torque": Column("N m", "95 % interval of the mean torque"),
+    "interval/max_force": Column("N", "95 % interval of the largest force"),
+    "duration": Column("s", "measured time of all seeds together"),
+    "state": Column("", "how it moves"),
+    "signed_moment": Column("N m", "moment of the balls on the cage about the axis, balanced by drag and land"),
+    "whirl_speed": Column("rad/s", "mean speed of the centre about the axis, with the sign of the orbit"),
+    "wobble": Column("m", "root mean square change of the centre's distance from the axis"),
+    "ball_lead": Column("m", "how far balls lead on one side of the bearing and lag on the other", "A"),
+    "grip_share": Column("1", "share of what the races of all balls carry along the orbit that the mean force uses"),
+    "grip_number": Column("1", "the same of a whirl, by the ball with the least grip", "rho"),
+    "race_excess": Column("N m", "part of the torque that the races lose more because the cage drags the balls"),
+}
+# What only a cage that moved has.
+OF_MOTION: dict[str, Column] = {
+    "torque": Column("N m", "power of sliding and drag over the speed of the ring"),
+    "start": Column("", "how the motion begins"),
+    "block": Column("s", "length of a block"),
+    "other/start": Column("", "another start"),
+    "other/state": Column("", "how the cage then moves"),
+    "other/torque": Column("N m", "the torque then"),
+}
+FREEDOMS = ("axial", "x", "y", "tilt_x", "tilt_y")  # of the ring
+# The inner ring against the outer one, and every ball between them.
+OF_RING: dict[str, Column] = {
+    **{
+        f"displacement/{name}": Column("rad" if "tilt" in name else "m", f"displacement of the ring, {name}")
+        for name in FREEDOMS
+    },
+    "stiffness": Column("N/m, N or N m", "force or moment of the ring by displacement or tilt"),
+    "balls/azimuth": Column("rad", "azimuth of the ball, from x towards y"),
+    **{f"balls/{race}_load": Column("N", f"load of the ball, {race} race", "Q") for race in ("inner", "outer")},
+    **{
+        f"balls/{race}_angle": Column("rad", f"contact angle of a loaded ball, {race} race", "al")
+        for race in ("inner", "outer")
+    },
+    "holding_moment": COLUMNS["holding_moment"],
+}
+
 
 def rows_of(columns: Mapping[str, ArrayLike]) -> tuple[Point, ...]:
-    """The rows of columns; None in the place of a number that is not finite.
+    """The rows of columns. None: a number that is not finite, or a group without any that is.
 
-    columns : each (n,)
+    columns : each (n,) or (n, ...); "balls/azimuth" is `azimuth` in the group `balls`
     """
-    listed = {name: np.where(np.isfinite(each), each, np.nan).tolist() for name, each in columns.items()}
-    names = tuple(listed)
-    return tuple(
-        {name: None if value != value else value for name, value in zip(names, row, strict=True)}
-        for row in zip(*listed.values(), strict=True)
-    )
+    listed = [_listed(np.asarray(each)) for each in columns.values()]
+    return tuple(_nested(zip(columns, row, strict=True)) for row in zip(*listed, strict=True))
+
+
+def _listed(values: NDArray[Any]) -> list[Any]:
+    """The elements along the first axis."""
+    if values.dtype.kind != "f":
+        return values.tolist()
+    known, values = np.isfinite(values), values.astype(object)
+    values[~known] = None
+    return values.tolist()
+
+
+def _nested(row: Iterable[tuple[str, Any]]) -> Point:
+    """A row whose values stand in the groups of their names."""
+    made: dict[str, Any] = {}
+    for name, value in row:
+        group, _, inner = name.rpartition("/")
+        (made.setdefault(group, {}) if group else made)[inner] = value
+    unknown = [name for name, each in made.items() if isinstance(each, dict) and not _is_known([*each.values()])]
+    return made | dict.fromkeys(unknown)
+
+
+def _is_known(value: Any) -> bool:
+    return any(map(_is_known, value)) if isinstance(value, list) else value is not None
 
 
 def without_residue(name: str, values: Array) -> Array:

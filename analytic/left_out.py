@@ -1,118 +1,67 @@
-"""Operating points of a scene that have no torque: which they are and why, and their places in what is shown."""
+"""Operating points that have no torque: which they are and why, and their places in what is shown."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.columns import COORDINATES
+from analytic.columns import COORDINATES, Point, rows_of
 from analytic.errors import FembearingError
-from analytic.prediction.formulas import with_model_uncertainty
-from analytic.result import FrictionTorque
-from analytic.rows import OperatingPoint
-from analytic.scene import Array, Scene
-from analytic.torque import friction_torque
+from analytic.scene import Operation
 
 
-@dataclass(frozen=True, kw_only=True)
-class LeftOut(OperatingPoint):
-    """An operating point without a torque."""
-
-    point: int  # number of the operating point, from 0
-    reason: str  # why, in words
-
-
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Places:
-    """The operating points of a scene, some of which have no torque."""
+    """All n operating points of a scene, some of which have no torque."""
 
-    size: int  # number of all
-    left_out: tuple[LeftOut, ...]
+    operation: Operation  # as a series
+    failures: Mapping[int, FembearingError]  # of the points without a torque, by their numbers from 0
 
-    @property
+    @cached_property
     def computed(self) -> list[int]:
         """The numbers of the points that have a torque, from 0."""
-        return sorted({*range(self.size)} - {each.point for each in self.left_out})
+        return [each for each in range(self.operation.inner_speed.size) if each not in self.failures]
 
-    def columns(self, computed: dict[str, Array]) -> dict[str, Array]:
-        """Columns over all points: speed and loads are known everywhere, all else is NaN where there is no torque.
+    @property
+    def rows(self) -> NDArray[np.intp]:
+        """(n,) the row of each point among those that have a torque; 0 of one that has none."""
+        found = np.zeros(self.operation.inner_speed.size, dtype=np.intp)
+        found[self.computed] = np.arange(len(self.computed))
+        return found
 
-        computed : each (m,), over the points that have a torque
+    @property
+    def left_out(self) -> tuple[Point, ...]:
+        """A row for each point without a torque: its number, its loads and speed, and the reason."""
+        lost = [*self.failures]
+        given = {name: np.asarray(getattr(self.operation, name))[lost] for name in COORDINATES}
+        return rows_of({**given, "point": lost, "reason": [*map(str, self.failures.values())]})
+
+    def columns(self, computed: Mapping[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+        """Columns over all points: speed and loads are known everywhere, all else is NaN or None without a torque.
+
+        Parameters
+        ----------
+        computed : mapping of str to ndarray, shape (m, ...)
+            Columns over the points that have a torque.
+
+        Returns
+        -------
+        dict of str to ndarray, shape (n, ...)
+            By the same names.
         """
-        whole = {name: np.full(self.size, np.nan) for name in computed}
-        for name, values in computed.items():
-            whole[name][self.computed] = values
-        for each in self.left_out:
-            for name in COORDINATES & whole.keys():
-                whole[name][each.point] = getattr(each, name)
-        return whole
+        whole = {name: self._spread(values) for name, values in computed.items()}
+        return whole | {name: np.asarray(getattr(self.operation, name)) for name in COORDINATES if name in whole}
 
-    def rows(self, computed: Sequence[Any]) -> tuple[Any, ...]:
-        """The same for rows: with NaN in the place of every number that is not known, and None of all else."""
-        whole = [_without_values(computed[0])] * self.size
-        for point, row in zip(self.computed, computed, strict=True):
-            whole[point] = row
-        for each in self.left_out:
-            if isinstance(computed[0], OperatingPoint):
-                whole[each.point] = replace(whole[each.point], **{name: getattr(each, name) for name in COORDINATES})
-        return tuple(whole)
-
-
-def torque_where_it_is(scene: Scene) -> tuple[Scene, FrictionTorque, tuple[LeftOut, ...]]:
-    """The scene where it has a torque, the torque with its model uncertainty, and the other operating points.
-
-    Raises the error of the first point where none has a torque.
-    """
-    operation = scene.operation.as_series()
-    every = np.arange(operation.inner_speed.size)
-    problems: dict[int, FembearingError] = {}
-
-    def at(points: NDArray[np.intp]) -> Scene:
-        return replace(scene, operation=operation.at(points))
-
-    def try_out(points: NDArray[np.intp]) -> FrictionTorque | None:
-        try:
-            return _torque(at(points))
-        except FembearingError as problem:
-            if points.size == 1:
-                problems[int(points[0])] = problem
-            else:
-                for half in np.array_split(points, 2):
-                    try_out(half)
-            return None
-
-    friction = try_out(every)
-    if friction is not None:
-        return scene, friction, ()
-    if len(problems) == every.size:
-        raise problems[0]
-    kept = at(np.delete(every, [*problems]))
-    left_out = tuple(
-        LeftOut(
-            point=point,
-            reason=str(problem),
-            **{name: float(getattr(operation, name)[point]) for name in COORDINATES},
+    def _spread(self, values: NDArray[Any]) -> NDArray[Any]:
+        """(n, ...) from (m, ...): NaN, or None in place of a text, where there is no torque."""
+        if not self.failures:
+            return values
+        is_number = values.dtype.kind == "f"
+        whole = np.full(
+            (self.rows.size, *values.shape[1:]), np.nan if is_number else None, float if is_number else object
         )
-        for point, problem in sorted(problems.items())
-    )
-    return kept, _torque(kept), left_out
-
-
-def _torque(scene: Scene) -> FrictionTorque:
-    return with_model_uncertainty(scene, friction_torque(scene).settled())
-
-
-def _without_values(node: Any) -> Any:
-    match node:
-        case dict():
-            return {name: _without_values(inside) for name, inside in node.items()}
-        case tuple():
-            return tuple(_without_values(inside) for inside in node)
-        case float():
-            return np.nan
-    if is_dataclass(node) and not isinstance(node, type):
-        parts = {part.name: getattr(node, part.name) for part in fields(node)}
-        return replace(node, **{name: _without_values(part) for name, part in parts.items()})
-    return None
+        whole[self.computed] = values
+        return whole

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,10 +14,11 @@ from analytic.columns import COLUMNS, COORDINATES, MODEL_PARTS, OF_MODEL, Point,
 from analytic.effects import Effects
 from analytic.errors import FembearingError, InputError
 from analytic.labelled import Labelled, dataset_of, frame_of, html_table
+from analytic.left_out import Places
 from analytic.limits import LimitNumbers
 from analytic.loads.pair import PairEquilibrium
 from analytic.loads.ring_state import RingState
-from analytic.scene import ArrangementKind, Array, Clearances, Operation, Sliding
+from analytic.scene import ArrangementKind, Array, Clearances, Sliding
 from analytic.units import METRIC
 from analytic.words import NEWTON_MILLIMETRE, RPM
 
@@ -190,35 +192,36 @@ class FrictionTorque(Brief):
         FrictionTorque
             With arrays (k,).
         """
-        return replace(self, **{name: _rows(value, points) for name, value in self._values().items() if name != "pair"})
+        changed = {name: _each(value, lambda values: values[points]) for name, value in self._values().items()}
+        parts = {name: getattr(self, name) for name in ("cage", "limits", "ring")}
+        own = {name: None if part is None else part.at(points) for name, part in parts.items()}
+        return replace(self, **{**changed, **own})
 
-    def among(
-        self, operation: Operation, kept: NDArray[np.intp], failures: Mapping[int, FembearingError]
-    ) -> "FrictionTorque":
+    def among(self, places: Places) -> "FrictionTorque":
         """The torque at all operating points of a series, of which this has those that have settled.
 
         Parameters
         ----------
-        operation : Operation
-            All n points.
-        kept : ndarray, shape (k,)
-            Their numbers, from 0.
-        failures : mapping of int to FembearingError
-            Of the others.
+        places : Places
+            All n points, and which of them have failed.
 
         Returns
         -------
         FrictionTorque
             With arrays (n,), NaN where a point has no torque.
         """
-        place = np.zeros(operation.inner_speed.size, dtype=np.intp)
-        place[kept] = np.arange(kept.size)
-        spread, at = self.at(place), np.array(sorted(failures))
-        lost = {name: _without(value, at) for name, value in spread._values().items() if name not in ("pair", "ring")}
-        given = {name: np.asarray(getattr(operation, name)) for name in COORDINATES}
-        words = [f"operating point {1 + number} has no torque: {why}" for number, why in failures.items()]
-        effects, warnings = self.effects.among(kept.tolist()), (*self.warnings, *words)
-        return replace(spread, **{**lost, **given, "effects": effects, "failures": failures, "warnings": warnings})
+        is_lost = np.isin(np.arange(places.operation.inner_speed.size), [*places.failures])
+
+        def without(values: NDArray[Any]) -> NDArray[Any]:
+            return np.where(is_lost, np.nan, values) if values.dtype.kind == "f" else values
+
+        spread = self.at(places.rows)
+        lost = {name: _each(value, without) for name, value in spread._values().items()}
+        given = {name: np.asarray(getattr(places.operation, name)) for name in COORDINATES}
+        words = [f"operating point {1 + number} has no torque: {why}" for number, why in places.failures.items()]
+        effects, warnings = self.effects.among(places.computed), (*self.warnings, *words)
+        others = {"effects": effects, "failures": places.failures, "warnings": warnings}
+        return replace(spread, **{**lost, **given, **others})
 
     def checked(self) -> "FrictionTorque":
         """The same. Every number that is computed already is finite, or missing for a reason that it gives.
@@ -378,24 +381,12 @@ class FrictionTorque(Brief):
         return html_table(head, rows, f"friction torque, {more} more points" if more else "friction torque")
 
 
-def _rows(value: Any, points: NDArray[np.intp]) -> Any:
-    """The rows of arrays of one row for each operating point, also within groups; all else as it is."""
+def _each(value: Any, change: Callable[[NDArray[Any]], NDArray[Any]]) -> Any:
+    """The same with changed arrays of one row for each operating point, also within groups."""
     if isinstance(value, np.ndarray):
-        return value[points]
-    if isinstance(value, CagePart):
-        return value.of_points(points)
-    if isinstance(value, LimitNumbers | RingState):
-        return value.at(points)
+        return change(value)
     if isinstance(value, TorqueParts | FrictionCoefficients | OnRaces | LoadedContact):
-        return replace(value, **{name: _rows(part, points) for name, part in vars(value).items()})
-    return value
-
-
-def _without(value: Any, at: NDArray[np.intp]) -> Any:
-    """The same with NaN in arrays of numbers, also within groups, at some operating points."""
-    if isinstance(value, np.ndarray) and value.dtype.kind == "f":
-        value = value.copy()
-        value[at] = np.nan
-    elif isinstance(value, TorqueParts | FrictionCoefficients | OnRaces | LoadedContact):
-        value = replace(value, **{name: _without(part, at) for name, part in vars(value).items()})
+        return replace(value, **{name: _each(part, change) for name, part in vars(value).items()})
+    if isinstance(value, MappingProxyType):
+        return MappingProxyType({name: _each(part, change) for name, part in value.items()})
     return value

@@ -1,6 +1,5 @@
 """Rows of a result, one for each operating point: what JSON holds of arrays, and what is known of its numbers."""
 
-from collections.abc import Sized
 from dataclasses import dataclass
 from typing import Annotated, TypeVar
 
@@ -21,21 +20,3 @@ class OperatingPoint:
     axial_load: float  # N
     radial_load: float  # N
     moment: float  # N m
-
-
-def require_one_length(*lists: Sized) -> None:
-    """Refuse lists that belong together and differ in length.
-
-    Parameters
-    ----------
-    *lists : sequences
-        Of any length.
-
-    Raises
-    ------
-    ValueError
-        They are not of one length.
-    """
-    lengths = sorted({len(each) for each in lists})
-    if len(lengths) > 1:
-        raise ValueError(f"has lists of {' and '.join(map(str, lengths))} values that belong together")

@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, Unpack
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
@@ -14,7 +15,7 @@ from analytic.columns import COLUMNS, COORDINATES, Point, rows_of
 from analytic.errors import FembearingError, InputError
 from analytic.given import SceneOptions
 from analytic.labelled import Labelled, dataset_of, frame_of
-from analytic.left_out import LeftOut, Places, torque_where_it_is
+from analytic.left_out import Places
 from analytic.makers import BesideCatalogue, CatalogueBand, beside_catalogue, of_open_bearing
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.progress import Progress, silent
@@ -50,7 +51,7 @@ class SceneTorque(Brief):
     # Both ends of the 95 % interval at each operating point, N m, (2, n), by samples or to first order; None: not known
     interval: Array | None = None
     prediction: "Prediction | None" = None  # the samples of the interval; None: not asked for
-    left_out: tuple[LeftOut, ...] = ()  # operating points of the scene that have no torque; warnings say it too
+    without: Places | None = None  # some points without a torque among all; None: the scene here has all
 
     def __post_init__(self) -> None:
         """Raises InputError for a number that is not finite, so that no face shows it: terminal, files or page."""
@@ -89,8 +90,8 @@ class SceneTorque(Brief):
 
     @property
     def places(self) -> Places:
-        """The operating points of the scene as it was given, with those that have no torque."""
-        return Places(size=self.friction.inner_speed.size + len(self.left_out), left_out=self.left_out)
+        """All operating points of the scene as it was given."""
+        return self.without or Places(operation=self.scene.operation.as_series(), failures={})
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -248,14 +249,12 @@ def torque_of_scene(
         As `friction_torque`, and with samples as `predict`; with keep_going where no point has a torque.
     """
     scene = scene_by(scene, given)
-    left_out: tuple[LeftOut, ...] = ()
-    if keep_going:
-        size = scene.operation.as_series().inner_speed.size
-        scene, friction, left_out = torque_where_it_is(scene)
-        reasons = (f"operating point {each.point + 1} of {size} is left out: {each.reason}" for each in left_out)
-        friction = replace(friction, warnings=(*friction.warnings, *reasons))
-    else:
-        friction = with_model_uncertainty(scene, friction_torque(scene).settled())
+    places, friction = _where_it_is(scene, keep_going=keep_going)
+    if places.failures:
+        scene = replace(scene, operation=places.operation.at(np.array(places.computed)))
+        size, lost = places.operation.inner_speed.size, places.failures.items()
+        words = (f"operating point {number + 1} of {size} is left out: {why}" for number, why in lost)
+        friction = replace(friction, warnings=(*friction.warnings, *words))
     other, friction = _with_other_balls(scene, friction)
     prediction, interval = None, None
     if samples is None:
@@ -272,8 +271,39 @@ def torque_of_scene(
         other_candidate=other,
         interval=interval,
         prediction=prediction,
-        left_out=left_out,
+        without=places if places.failures else None,
     )
+
+
+def _where_it_is(scene: Scene, *, keep_going: bool) -> tuple[Places, FrictionTorque]:
+    """The operating points of a scene, and the torque where there is one; raises the first error where there is none.
+
+    keep_going : whether points may lack a torque
+    """
+    operation = scene.operation.as_series()
+    failures: dict[int, FembearingError] = {}
+
+    def torque_at(points: NDArray[np.intp]) -> FrictionTorque:
+        some = scene if points.size == operation.inner_speed.size else replace(scene, operation=operation.at(points))
+        return with_model_uncertainty(some, friction_torque(some).settled())
+
+    def tried(points: NDArray[np.intp]) -> FrictionTorque | None:
+        try:
+            return torque_at(points)
+        except FembearingError as problem:
+            if not keep_going:
+                raise
+            if points.size == 1:
+                failures[int(points[0])] = problem
+            else:
+                for half in np.array_split(points, 2):
+                    tried(half)
+            return None
+
+    friction, places = tried(np.arange(operation.inner_speed.size)), Places(operation=operation, failures=failures)
+    if not places.computed:
+        raise failures[0]
+    return places, friction or torque_at(np.array(places.computed))
 
 
 def with_interval(result: SceneTorque) -> SceneTorque:

@@ -37,6 +37,7 @@ from analytic.effects import (
 )
 from analytic.errors import FembearingError, InputError, require_finite, require_non_negative, require_positive
 from analytic.given import Quantity, SceneOptions
+from analytic.left_out import Places
 from analytic.limits import LimitNumbers, limit_numbers, limit_reasons, torque_warnings
 from analytic.loads.finite_geometry import corrections_of
 from analytic.loads.ring_balance import require_enough_balls
@@ -340,18 +341,18 @@ def _of_one_bearing(
     failures = failures_of(scene, races.model, races.points, races.found)
     if not failures:
         return _torque_of(races, started)
-    operation = scene.operation.as_series()
-    kept = np.array([number for number in range(len(races.points)) if number not in failures], dtype=np.intp)
-    if not kept.size:
+    places = Places(operation=races.scene.operation, failures=failures)
+    if not places.computed:
         raise next(iter(failures.values()))
+    kept = np.array(places.computed)
     rest = replace(
         races,
-        scene=replace(scene, operation=operation.at(kept)),
+        scene=replace(scene, operation=places.operation.at(kept)),
         model=races.model.at(kept),
         points=races.points[kept],
         found=races.found.at(kept),
     )
-    return _torque_of(rest, started).among(operation, kept, failures)
+    return _torque_of(rest, started).among(places)
 
 
 def _torque_of(races: Races, started: float) -> FrictionTorque:

@@ -36,6 +36,7 @@ from analytic.cage.steady import (
     sliding_torque,
     whirl_number,
 )
+from analytic.columns import OF_MOTION, Point, rows_of
 from analytic.contact.geometry import known_half_widths
 from analytic.numerics.elements import mapped
 from analytic.rows import Two
@@ -43,33 +44,6 @@ from analytic.scene import Array, Bearing, Cage, Scene
 from analytic.words import length_of, percent_of, speed_of, torque_of
 
 GRIP = ("ball_lead", "grip_share", "grip_number", "race_excess")
-OF_MOTION = ("mean_force", "max_force", "duration", "signed_moment", "whirl_speed", "wobble")
-
-
-@dataclass(frozen=True, kw_only=True)
-class CageIntervals:
-    """Intervals at 95 %."""
-
-    torque: Two  # of its mean, N m
-    max_force: Two  # N
-
-
-@dataclass(frozen=True, kw_only=True)
-class CagePoint:
-    """What the cage does at one operating point; None where there is no cage, or where a closed form has no value."""
-
-    mean_force: float | None = None  # sum of the normal forces in all pockets, N
-    max_force: float | None = None  # of one contact, N
-    interval: CageIntervals | None = None
-    duration: float | None = None  # measured time of all seeds together, s
-    state: str | None = None
-    signed_moment: float | None = None  # of the balls on the cage about the axis, N m
-    whirl_speed: float | None = None  # rad/s
-    wobble: float | None = None  # m
-    ball_lead: float | None = None  # m
-    grip_share: float | None = None
-    grip_number: float | None = None
-    race_excess: float | None = None  # N m
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -105,8 +79,7 @@ class CagePart(Brief):
     @property
     def is_moving_given_balls(self) -> NDArray[np.bool_]:
         """(n,) whether the cage moves, and not at rest on its balls, whose own motion is given."""
-        moved = np.array([motion is not None and motion.state != "rest" for motion in self.motion])
-        return np.isnan(self.race_excess) & moved
+        return np.isnan(self.race_excess) & ~np.isin(self._measured("state", "rest"), "rest")
 
     @property
     def half_interval(self) -> Array:
@@ -114,7 +87,7 @@ class CagePart(Brief):
         ends = [((0.0, 0.0),) * 2 if m is None else (m.torque_interval, m.race_excess_interval) for m in self.motion]
         return np.array([sum(high - low for low, high in each) / 2 for each in ends])
 
-    def of_points(self, points: NDArray[np.intp]) -> "CagePart":
+    def at(self, points: NDArray[np.intp]) -> "CagePart":
         """The same at some operating points.
 
         Parameters
@@ -131,36 +104,43 @@ class CagePart(Brief):
         series = ("driven", "motion", "races")
         return replace(self, **kept, **{name: tuple(getattr(self, name)[p] for p in points) for name in series})
 
-    def row(self, point: int) -> CagePoint:
-        """One operating point.
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """The values of OF_CAGE, (n,) or (n, 2), SI; NaN where a closed form has no such value."""
+        squeezed = np.where(self.is_squeezed, "squeezed", "rest")
+        return {
+            "mean_force": self.mean_force,
+            "max_force": self._measured("max_force"),
+            "interval/torque": self._measured("torque_interval", (np.nan, np.nan)),
+            "interval/max_force": self._measured("max_force_interval", (np.nan, np.nan)),
+            "duration": self._measured("duration", 0.0),
+            "state": np.where(self.has_moved, self._measured("state", ""), squeezed),
+            "signed_moment": self.signed_moment,
+            "whirl_speed": self._measured("whirl_speed"),
+            "wobble": self._measured("wobble"),
+            **{name: getattr(self, name) for name in GRIP},
+        }
 
-        Parameters
-        ----------
-        point : int
-            Its number, from 0.
+    @property
+    def rows(self) -> tuple[Point, ...]:
+        """A row for each operating point, by the names of `columns`."""
+        return rows_of(self.columns())
 
-        Returns
-        -------
-        CagePoint
-            SI; None where a closed form has no such value.
-        """
-        motion = self.motion[point]
-        numbers = {name: float(getattr(self, name)[point]) for name in GRIP}
-        known: dict[str, Any] = {name: each if np.isfinite(each) else None for name, each in numbers.items()}
-        if motion is None:
-            return CagePoint(
-                mean_force=float(self.mean_force[point]),
-                duration=0.0,
-                state="squeezed" if self.is_squeezed[point] else "rest",
-                signed_moment=float(self.signed_moment[point]),
-                **known,
-            )
-        return CagePoint(
-            interval=CageIntervals(torque=motion.torque_interval, max_force=motion.max_force_interval),
-            state=motion.state,
-            **{name: getattr(motion, name) for name in OF_MOTION},
-            **known,
-        )
+    def motion_columns(self) -> dict[str, NDArray[Any]]:
+        """The values of OF_MOTION, (n,), SI; NaN or None where no cage moved."""
+        return {name: self._measured(name, np.nan if column.unit else None) for name, column in OF_MOTION.items()}
+
+    @property
+    def has_moved(self) -> NDArray[np.bool_]:
+        """(n,) whether there is a motion."""
+        return np.array([motion is not None for motion in self.motion])
+
+    def _measured(self, name: str, unknown: Any = np.nan) -> NDArray[Any]:
+        """(n, ...) a number or word of the motions, "other/torque" of another start; `unknown` where there is none."""
+        found: list[Any] = [*self.motion]
+        for part in name.split("/"):
+            found = [None if each is None else getattr(each, part) for each in found]
+        given = [unknown if each is None else each for each in found]
+        return np.array(given, dtype=object if unknown is None else None)
 
 
 @dataclass(frozen=True, kw_only=True)

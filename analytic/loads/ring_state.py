@@ -4,7 +4,7 @@ They follow from the loads and contact angles of the balls alone, whatever metho
 point that displacement and moment refer to are those of `analytic.loads.ring`.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -13,56 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.brief import Brief, span
+from analytic.columns import FREEDOMS, OF_RING, Point, rows_of
 from analytic.labelled import Column, Labelled, dataset_of
 from analytic.loads.ball_balance import contact_tangent, in_series
 from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring_balance import add_stiffness, groove_travel, mirror
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Records
-from analytic.rows import require_one_length
 from analytic.scene import Array, Bearing, ContactAngle, Operation
 
-FREEDOMS = ("axial", "x", "y", "tilt_x", "tilt_y")
 UNLOADED = 1e-9  # load over that of the heaviest ball, below which a ball says nothing of the ring's place
-
-
-@dataclass(frozen=True, kw_only=True)
-class Displacement:
-    """Of the inner ring, see `RingState.displacement`."""
-
-    axial: float  # m
-    x: float  # m
-    y: float  # m
-    tilt_x: float  # rad
-    tilt_y: float  # rad
-
-
-@dataclass(frozen=True, kw_only=True)
-class Balls:
-    """Every ball around the ring; the angle of an unloaded contact is None."""
-
-    azimuth: tuple[float, ...]  # rad
-    inner_load: tuple[float, ...]  # N
-    outer_load: tuple[float, ...]  # N
-    inner_angle: tuple[float | None, ...]  # rad
-    outer_angle: tuple[float | None, ...]  # rad
-
-    def __post_init__(self) -> None:
-        """Raises ValueError for lists of different lengths."""
-        require_one_length(*vars(self).values())
-
-
-Five = tuple[float, float, float, float, float]
-
-
-@dataclass(frozen=True, kw_only=True)
-class RingPoint:
-    """Ring and balls at one operating point; the displacement is None where the scene gives the contact angle."""
-
-    displacement: Displacement | None
-    stiffness: tuple[Five, Five, Five, Five, Five]  # N/m, N and N m
-    balls: Balls
-    holding_moment: float | None  # about y, that holds the ring at its tilt, N m; None: it tilts freely
+ROUND_OFF = 1e-9  # of the diagonal, below which an entry of the stiffness is what rounding leaves of 0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -174,7 +135,9 @@ class RingState(Brief):
         along = np.divide(1.5 * self.load, self.approach, out=np.zeros_like(self.load), where=pressed)
         springs = np.stack([along, self.load / self._arms, *np.moveaxis(self._normal, -1, 0)])
         scale = np.array([1.0, 1.0, 1.0, geometry.arm, geometry.arm])
-        return _stiffness(springs, geometry.travel) * np.outer(scale, scale)
+        found = _stiffness(springs, geometry.travel) * np.outer(scale, scale)
+        size = np.sqrt(np.abs(np.diagonal(found, axis1=1, axis2=2)))
+        return np.where(np.abs(found) > ROUND_OFF * size[:, :, None] * size[:, None, :], found, 0.0)
 
     @property
     def _arms(self) -> Array:
@@ -189,60 +152,45 @@ class RingState(Brief):
         """(n, 2, Z, 2) of each contact: radial and axial."""
         return np.stack([np.cos(self.contact_angle), np.sin(self.contact_angle)], axis=-1)
 
-    def row(self, point: int) -> RingPoint:
-        """One operating point.
-
-        Parameters
-        ----------
-        point : int
-            Its number, from 0.
-
-        Returns
-        -------
-        RingPoint
-            SI; angles of unloaded contacts are None.
-        """
-        place = self.displacement
-        balls: dict[str, Sequence[float | None]] = {}
+    def columns(self) -> dict[str, Array]:
+        """The values of OF_RING, (n,) or (n, ...), SI; NaN: not known, or the angle of an unloaded contact."""
+        place = np.full((len(self.load), 5), np.nan) if self.displacement is None else self.displacement
+        holding = np.full(len(self.load), np.nan) if self.holding_moment is None else self.holding_moment
+        found = {f"displacement/{name}": place[:, number] for number, name in enumerate(FREEDOMS)}
+        found |= {"stiffness": self.stiffness, "holding_moment": holding}
+        found["balls/azimuth"] = np.broadcast_to(self.azimuth, self.load[:, 0].shape)
         for side, race in enumerate(("inner", "outer")):
-            load, angle = self.load[point, side], self.contact_angle[point, side]
-            balls[f"{race}_load"] = tuple(load.tolist())
-            balls[f"{race}_angle"] = tuple(float(a) if q > 0 else None for a, q in zip(angle, load, strict=True))
-        holding = self.holding_moment
-        displaced = None if place is None else Displacement(**dict(zip(FREEDOMS, place[point].tolist(), strict=True)))
-        first, second, third, fourth, fifth = (tuple(row) for row in self.stiffness[point].tolist())
-        return RingPoint(
-            displacement=displaced,
-            stiffness=(first, second, third, fourth, fifth),
-            balls=Balls(azimuth=tuple(self.azimuth.tolist()), **balls),  # pyright: ignore[reportArgumentType]
-            holding_moment=None if holding is None else float(holding[point]),
-        )
+            found[f"balls/{race}_load"] = self.load[:, side]
+            found[f"balls/{race}_angle"] = self._loaded_angle[:, side]
+        return {name: found[name] for name in OF_RING}
+
+    @property
+    def rows(self) -> tuple[Point, ...]:
+        """A row for each operating point, by the names of `columns`."""
+        return rows_of(self.columns())
+
+    @property
+    def _loaded_angle(self) -> Array:
+        """(n, 2, Z) rad; NaN of an unloaded contact."""
+        return np.where(self.load > 0, self.contact_angle, np.nan)
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over operating points, races, balls and freedoms, SI, with units and meanings."""
-        rows, every = ("point",), ("point", "race", "ball")
-        place = np.full((len(self.load), 5), np.nan) if self.displacement is None else self.displacement
-        angle = np.where(self.load > 0, self.contact_angle, np.nan)
+        rows, every, known = ("point",), ("point", "race", "ball"), self.columns()
         moved = {
-            f"displacement_{name}": Labelled(
-                rows, place[:, number], Column("rad" if "tilt" in name else "m", f"displacement of the ring, {name}")
-            )
-            for number, name in enumerate(FREEDOMS)
+            f"displacement_{name}": Labelled(rows, known[f"displacement/{name}"], OF_RING[f"displacement/{name}"])
+            for name in FREEDOMS
         }
         return dataset_of(
             {
                 "load": Labelled(every, self.load, Column("N", "load of the ball")),
-                "contact_angle": Labelled(every, angle, Column("rad", "contact angle of a loaded ball")),
+                "contact_angle": Labelled(every, self._loaded_angle, Column("rad", "contact angle of a loaded ball")),
                 **moved,
-                "stiffness": Labelled(
-                    ("point", "force", "freedom"),
-                    self.stiffness,
-                    Column("N/m, N or N m", "force or moment of the ring by displacement or tilt"),
-                ),
+                "stiffness": Labelled(("point", "force", "freedom"), self.stiffness, OF_RING["stiffness"]),
             },
             coordinates={
                 "race": Labelled(("race",), ["inner", "outer"], Column("", "race")),
-                "azimuth": Labelled(("ball",), self.azimuth, Column("rad", "azimuth of the ball, from x towards y")),
+                "azimuth": Labelled(("ball",), self.azimuth, OF_RING["balls/azimuth"]),
                 "force": Labelled(("force",), list(FREEDOMS), Column("", "freedom of force or moment")),
                 "freedom": Labelled(("freedom",), list(FREEDOMS), Column("", "freedom of displacement or tilt")),
             },

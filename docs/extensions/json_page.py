@@ -5,7 +5,8 @@ from collections.abc import Mapping
 from dataclasses import is_dataclass
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
 
-from analytic.columns import COLUMNS, COORDINATES
+from analytic.columns import COLUMNS, COORDINATES, OF_CAGE, OF_MOTION, OF_RING
+from analytic.labelled import Column
 from analytic.prediction.duty import DutyCycle
 from docs.extensions.annotations import with_parts
 from docs.extensions.source import field_comments
@@ -44,9 +45,23 @@ def json_page() -> str:
 
 def columns() -> str:
     """The registry of the numbers of an operating point."""
-    rows = [[code(name), each.symbol, each.unit, each.meaning] for name, each in (COORDINATES | COLUMNS).items()]
     about = "Of an operating point, a step or a measured torque; CSV, datasets and data frames have the same names."
-    return f"## Columns\n\n{about}\n\n" + table(["key", "symbol", "unit", "meaning"], rows)
+    group = "`group/name` is the key `name` in the table `group`."
+    parts = (
+        ("Columns", about, COORDINATES | COLUMNS),
+        (
+            "Columns of the cage",
+            f"{group} From `torque` on only in the `cage_motion` of a report.",
+            OF_CAGE | OF_MOTION,
+        ),
+        ("Columns of the ring", f"{group} Lists have a number for each ball or freedom.", OF_RING),
+    )
+    head = ["key", "symbol", "unit", "meaning"]
+
+    def rows(known: Mapping[str, Column]) -> list[list[str]]:
+        return [[code(name), each.symbol, each.unit, each.meaning] for name, each in known.items()]
+
+    return "\n".join(f"## {name}\n\n{said}\n\n{table(head, rows(known))}" for name, said, known in parts)
 
 
 def keys_of(of: type) -> dict[str, Any]:

@@ -155,5 +155,5 @@ def _print(results: "Mapping[str, SceneTorque]", talk: Talk, *, details: bool) -
 def _status(results: "Collection[SceneTorque]") -> int:
     """That of the worst scene; a failed check before what is not solved."""
     statuses = {STANDING_STATUS[result.standing.word] for result in results}
-    statuses |= {NOT_SOLVED for result in results if result.left_out}
+    statuses |= {NOT_SOLVED for result in results if result.places.failures}
     return next((status for status in (CHECK_FAILED, NOT_SOLVED) if status in statuses), DONE)

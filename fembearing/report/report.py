@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from annotated_types import Len, MinLen
 
+from analytic.columns import Point
 from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Array, Pair, ReportDetails, Scene
 from analytic.scene_torque import SceneTorque
@@ -27,7 +28,7 @@ from fembearing.plain_types import UNWRITTEN
 from fembearing.provenance import Provenance
 from fembearing.quantities import SYSTEMS, Units
 from fembearing.report.findings import Finding, findings_of
-from fembearing.report.torque import CageMotionPoint, TorqueContent, cage_motion
+from fembearing.report.torque import TorqueContent, cage_motion
 from fembearing.report.torque import content_of as torque_content
 
 INSTANTS = 400  # of a cage's motion that are kept
@@ -117,7 +118,7 @@ class Report:
     solved: SceneTorque | None = field(metadata=UNWRITTEN)  # the torque, which JSON holds as follows
     torque: TorqueContent | None
     torque_change: ChangeRecord | None
-    cage_motion: tuple[CageMotionPoint, ...] | None
+    cage_motion: tuple[Point, ...] | None
     cage_records: tuple[DrawnMotion, ...]
     films: tuple[FilmNumbers, ...]
     film_change: Floats | None  # of the torque at each point, relative; None without films or torque

@@ -6,17 +6,13 @@ from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import MinLen
 
-from analytic.cage.statistics import OtherStart
-from analytic.cage.torque import CagePoint
-from analytic.columns import rows_of
+from analytic.columns import Point, rows_of
 from analytic.effects import Effect
-from analytic.left_out import LeftOut
-from analytic.loads.ring_state import RingPoint
 from analytic.prediction.rows import COVERED
 from analytic.prediction.spreads import UncertainInput
 from analytic.result import PairPart
 from analytic.rows import Count, NotNegative, Positive
-from analytic.scene import ArrangementKind, CageStart, Clearances
+from analytic.scene import ArrangementKind, Clearances
 from analytic.scene_torque import SceneTorque
 from analytic.scenefile.inputs import StatedInput
 from analytic.standing import Standing
@@ -27,6 +23,7 @@ if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
     from analytic.prediction.prediction import Prediction
 
 Points = tuple[Mapping[str, float | None], ...]  # the numbers of each operating point by the names of `COLUMNS`
+Rows = tuple[Point, ...]  # the same with texts, lists and groups
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,8 +75,8 @@ class TorqueContent:
     """What JSON holds of a friction torque; SI."""
 
     points: Annotated[Points, MinLen(1)]
-    cage: tuple[CagePoint | None, ...] | None  # at each point; None: it does not count
-    ring: tuple[RingPoint | None, ...] | None  # None for a pair
+    cage: Rows | None  # see Columns of the cage; None: it does not count
+    ring: Rows | None  # see Columns of the ring; None for a pair
     gap_roughness: Positive | None  # m
     clearances: Clearances | None
     pair: PairContent | None
@@ -96,30 +93,18 @@ class TorqueContent:
     other_candidate: OtherCandidate | None
     prediction: PredictionContent | None
     standing: Standing  # how far the torque can be trusted, in one word
-    left_out: tuple[LeftOut, ...]  # points without a torque: their numbers are null
-
-
-@dataclass(frozen=True, kw_only=True)
-class CageMotionPoint(CagePoint):
-    """An operating point of a cage that moved somewhere; torque, start and block are None where it rests."""
-
-    inner_speed: float  # rad/s
-    torque: float | None  # N m
-    start: CageStart | None
-    block: float | None  # s
-    other: OtherStart | None
+    left_out: Rows  # points without a torque: number from 0, loads, speed and reason; their other numbers are null
 
 
 def content_of(result: SceneTorque) -> TorqueContent:
     """What JSON holds of a torque. A number that is not known is None, also at a point without a torque."""
-    friction, places, rows = result.friction, result.places, result.places.rows
-    cage, ring, count = friction.cage, friction.ring, range(friction.inner_speed.size)
+    friction, places = result.friction, result.places
     makers = {name: tuple(plain(values)) for name, values in result.makers.items()}
     of_torque = ("gap_roughness", "clearances", "warnings", "provenance", "seconds")
     return TorqueContent(
         points=result.points,
-        cage=None if cage is None else rows([cage.row(point) for point in count]),
-        ring=None if ring is None else rows([ring.row(point) for point in count]),
+        cage=None if friction.cage is None else rows_of(places.columns(friction.cage.columns())),
+        ring=None if friction.ring is None else rows_of(places.columns(friction.ring.columns())),
         pair=None if friction.pair is None else _pair(friction.pair, result),
         effects=tuple(friction.effects),
         measured_points=friction.effects.among(places.computed).points,
@@ -132,7 +117,7 @@ def content_of(result: SceneTorque) -> TorqueContent:
         other_candidate=_other(result),
         prediction=None if result.prediction is None else _prediction(result.prediction, result),
         standing=result.standing,
-        left_out=result.left_out,
+        left_out=places.left_out,
     )
 
 
@@ -162,16 +147,9 @@ def _other(result: SceneTorque) -> OtherCandidate | None:
     )
 
 
-def cage_motion(torque: SceneTorque) -> tuple[CageMotionPoint, ...] | None:
-    """Each operating point, None where no cage moved."""
+def cage_motion(torque: SceneTorque) -> tuple[Point, ...] | None:
+    """Each operating point with the columns of OF_CAGE and OF_MOTION; None where no cage moved."""
     part = torque.friction.cage
     if part is None or not any(part.motion):
         return None
-    return tuple(
-        CageMotionPoint(
-            **vars(part.row(point)),
-            inner_speed=float(torque.friction.inner_speed[point]),
-            **{name: motion and getattr(motion, name) for name in ("torque", "start", "block", "other")},
-        )
-        for point, motion in enumerate(part.motion)
-    )
+    return rows_of({**part.columns(), "inner_speed": torque.friction.inner_speed, **part.motion_columns()})

@@ -5,22 +5,40 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.errors import FembearingError
-from analytic.left_out import LeftOut, Places, torque_where_it_is
+from analytic.columns import rows_of
+from analytic.errors import FembearingError, InputError
+from analytic.left_out import Places
 from analytic.scene import Operation, Scene
+from analytic.scene_torque import torque_of_scene
 from analytic.scenefile.read import load_scene
 
-LOST = LeftOut(point=1, inner_speed=30.0, axial_load=5e9, radial_load=2.0, moment=0.3, reason="too heavy")
-PLACES = Places(size=4, left_out=(LOST,))
+POINTS = Operation(
+    axial_load=np.array([100.0, 5e9, 300.0, 700.0]),
+    inner_speed=np.array([20.0, 30.0, 20.0, 20.0]),
+    radial_load=np.array([0.0, 2.0, 0.0, 0.0]),
+    moment=np.array([0.0, 0.3, 0.0, 0.0]),
+)
+PLACES = Places(operation=POINTS, failures={1: InputError("too heavy")})
 
 
 def test_columns_know_the_loads_of_every_point_and_nothing_else_of_a_lost_one() -> None:
-    loads = {"axial_load": np.array([100.0, 300.0, 700.0]), "radial_load": np.zeros(3)}
-    still = {"inner_speed": np.full(3, 20.0), "moment": np.zeros(3)}
-    whole = PLACES.columns(loads | still | {"torque_total": np.array([3e-3, 5e-3, 8e-3])})
+    """Also of lists, and of texts."""
+    whole = PLACES.columns(
+        {
+            "axial_load": np.array([100.0, 300.0, 700.0]),
+            "moment": np.zeros(3),
+            "torque_total": np.array([3e-3, 5e-3, 8e-3]),
+            "state": np.array(["rest", "whirl", "rest"]),
+            "balls/load": np.arange(6.0).reshape(3, 2),
+        }
+    )
     assert whole["axial_load"].tolist() == [100.0, 5e9, 300.0, 700.0]
     assert whole["moment"].tolist() == [0.0, 0.3, 0.0, 0.0]
     assert whole["torque_total"].tolist() == pytest.approx([3e-3, np.nan, 5e-3, 8e-3], nan_ok=True)
+    assert rows_of(whole)[1:3] == (
+        {"axial_load": 5e9, "moment": 0.3, "torque_total": None, "state": None, "balls": None},
+        {"axial_load": 300.0, "moment": 0.0, "torque_total": 5e-3, "state": "whirl", "balls": {"load": [2.0, 3.0]}},
+    )
 
 
 def series_of(*loads: float) -> Scene:
@@ -31,18 +49,17 @@ def series_of(*loads: float) -> Scene:
 
 def test_every_point_that_has_a_torque_keeps_it_and_the_others_have_a_reason() -> None:
     heavy = 5e12
-    scene, friction, left_out = torque_where_it_is(series_of(300.0, heavy, 500.0, 2 * heavy, 700.0))
-    assert scene.operation.axial_load.tolist() == [300.0, 500.0, 700.0]
-    assert [(each.point, each.axial_load, each.inner_speed) for each in left_out] == [
+    found = torque_of_scene(series_of(300.0, heavy, 500.0, 2 * heavy, 700.0), keep_going=True)
+    assert found.scene.operation.axial_load.tolist() == [300.0, 500.0, 700.0]
+    assert [(each["point"], each["axial_load"], each["inner_speed"]) for each in found.places.left_out] == [
         (1, heavy, 11.0),
         (3, 2 * heavy, 13.0),
     ]
-    assert all(each.reason for each in left_out)
-    whole, alone, none = torque_where_it_is(series_of(300.0, 500.0, 700.0))
-    assert none == ()
-    assert whole.operation.axial_load.size == 3
-    np.testing.assert_allclose(
-        friction.torque.total, alone.torque.total, rtol=1e-5
-    )  # each point starts from its neighbour
+    assert all(each["reason"] for each in found.places.left_out)
+    alone = torque_of_scene(series_of(300.0, 500.0, 700.0), keep_going=True)
+    assert alone.places.left_out == ()
+    np.testing.assert_allclose(  # each point starts from its neighbour
+        found.friction.torque.total, alone.friction.torque.total, rtol=1e-5
+    )
     with pytest.raises(FembearingError):
-        torque_where_it_is(series_of(heavy, 2 * heavy))
+        torque_of_scene(series_of(heavy, 2 * heavy), keep_going=True)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from analytic.errors import InputError
-from analytic.left_out import LeftOut
+from analytic.left_out import Places
 from analytic.makers import BesideCatalogue, CatalogueBand
 from analytic.scene import Scene
 from analytic.scene_torque import (
@@ -52,16 +52,23 @@ def test_seals_and_drag_are_not_in_the_formulas_and_not_compared_with_them() -> 
     assert sealed.standing.reason.startswith("inside the makers' formulas, without seals and drag; ")
 
 
+def with_lost(result: SceneTorque, number: int) -> Places:
+    """The points of a result with one more, which has no torque."""
+    own = result.scene.operation.as_series()
+    lost = {"axial_load": 5e9, "inner_speed": 30.0, "radial_load": 2.0, "moment": 0.3}
+    loads = {name: np.insert(getattr(own, name), number, value) for name, value in lost.items()}
+    return Places(operation=replace(own, **loads), failures={number: InputError("too heavy")})
+
+
 def test_columns_hold_what_is_known_beside_the_torque_and_nothing_at_lost_points(result: SceneTorque) -> None:
     total = result.friction.torque.total
     bare = replace(result, catalogue=BesideCatalogue(band=None, note=""))
     assert not {"interval_low", "catalogue_high"} & bare.columns().keys()
-    lost = LeftOut(point=1, inner_speed=30.0, axial_load=5e9, radial_load=2.0, moment=0.3, reason="too heavy")
     found = replace(
         bare,
         interval=np.array([0.7 * total, 1.6 * total]),
         catalogue=band_of((0.4 * total).tolist(), (3 * total).tolist()),
-        left_out=(lost,),
+        without=with_lost(result, 1),
     ).to_dataset()
     for name, factor in (("interval_low", 0.7), ("interval_high", 1.6), ("catalogue_low", 0.4), ("catalogue_high", 3)):
         np.testing.assert_array_equal(found[name], np.insert(factor * total, 1, np.nan))
@@ -70,8 +77,7 @@ def test_columns_hold_what_is_known_beside_the_torque_and_nothing_at_lost_points
 
 
 def test_a_verdict_keeps_the_number_of_its_point_where_others_are_lost(result: SceneTorque) -> None:
-    lost = LeftOut(point=0, inner_speed=30.0, axial_load=5e9, radial_load=2.0, moment=0.3, reason="too heavy")
-    moved = replace(result, left_out=(lost,)).verdicts.physical
+    moved = replace(result, without=with_lost(result, 0)).verdicts.physical
     assert [each.point for each in moved] == [each.point + 1 for each in result.verdicts.physical]
 
 

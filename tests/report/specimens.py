@@ -4,8 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.cage.statistics import OtherStart
-from analytic.cage.torque import CageIntervals
+from analytic.columns import OF_CAGE, OF_MOTION, Point, rows_of
 from analytic.prediction.duty import DutyCycle, DutyStep, Estimate
 from analytic.rows import OperatingPoint
 from fembearing import grid_convergence
@@ -18,7 +17,6 @@ from fembearing.check.film.scene_film import FilmNumbers
 from fembearing.check.measured.comparison import MeasuredComparison
 from fembearing.check.measured.rows import MeasuredRow
 from fembearing.ehl.contact import Reach
-from fembearing.report.torque import CageMotionPoint
 
 RPM = np.pi / 30  # rad/s
 
@@ -99,25 +97,38 @@ FILM = FilmNumbers(
     warnings=(),
 )
 
-MOVES = CageMotionPoint(
-    inner_speed=900 * RPM,
-    torque=2.13e-3,
-    start="ramp",
-    block=0.012,
-    other=OtherStart(start="whirl", state="irregular", torque=2.2e-3),
-    mean_force=3.21,
-    max_force=1.34,
-    interval=CageIntervals(torque=(2.02e-3, 2.24e-3), max_force=(1.21, 1.47)),
-    duration=0.24,
-    state="irregular",
-    signed_moment=-0.43e-3,
-    whirl_speed=360 * RPM,
-    wobble=4.4e-6,
-    ball_lead=23.5e-6,
-    grip_share=0.37,
-    grip_number=0.83,
-    race_excess=0.31e-3,
-)
+MOVES = {
+    "inner_speed": 900 * RPM,
+    "torque": 2.13e-3,
+    "start": "ramp",
+    "block": 0.012,
+    "other/start": "whirl",
+    "other/state": "irregular",
+    "other/torque": 2.2e-3,
+    "mean_force": 3.21,
+    "max_force": 1.34,
+    "interval/torque": (2.02e-3, 2.24e-3),
+    "interval/max_force": (1.21, 1.47),
+    "duration": 0.24,
+    "state": "irregular",
+    "signed_moment": -0.43e-3,
+    "whirl_speed": 360 * RPM,
+    "wobble": 4.4e-6,
+    "ball_lead": 23.5e-6,
+    "grip_share": 0.37,
+    "grip_number": 0.83,
+    "race_excess": 0.31e-3,
+}
+UNKNOWN = {name: np.nan if column.unit else None for name, column in (OF_CAGE | OF_MOTION).items()}
+
+
+def moved(*without: str) -> Point:
+    """The cage at a point at which nothing is known of these columns."""
+    lacking = {name: unknown for name, unknown in UNKNOWN.items() if name.startswith(without)} if without else {}
+    (row,) = rows_of({name: [value] for name, value in (MOVES | lacking).items()})
+    return row
+
+
 NOTHING = compared(0.0, 0.0, 2e-6, formula=0.0)
 SUMS = compared(2.9e-3, 2.5e-3, 1.23e-4, formula=3.1e-3)
 

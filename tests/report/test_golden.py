@@ -40,7 +40,7 @@ from fembearing.report.sections.validation import detail_sections
 from fembearing.report.terminal import print_sections
 from fembearing.report.torque import content_of
 from fembearing.report.torque_file import torque_content
-from tests.report.specimens import ABSENT, CONTACT, CREEP, FILM, LAW, MOVES, STRESS, TWO, cycle, series, step
+from tests.report.specimens import ABSENT, CONTACT, CREEP, FILM, LAW, STRESS, TWO, cycle, moved, series, step
 
 GOLDEN = Path(__file__).parent / "golden"
 RIG = str(Path(__file__).parents[2] / "validation/scenes/thrust_rig_3mm.toml")
@@ -63,9 +63,7 @@ SCENES: dict[str, tuple[str, dict[str, Any], dict[str, Any]]] = {  # name, what 
         {"keep_going": True},
     ),
 }
-WHIRLS = replace(MOVES, state="whirl", grip_share=None, grip_number=None, race_excess=None)
-BARE = replace(MOVES, start=None, state="rest", interval=None, signed_moment=None, other=None)
-CAGES = {3: MOVES, 4: WHIRLS, 5: BARE}
+CAGES = {3: moved(), 4: moved("grip_share", "grip_number", "race_excess"), 5: moved("start", "interval", "other")}
 POCKET = PocketLaw(stiffness=62.7e9, stiffness_uncertainty=0.031, sheet=93.1e6, sheet_uncertainty=None)
 MADE = {
     "film": [Section("", [film_table(FILM), film_table(FILM, INCH_POUND)])],

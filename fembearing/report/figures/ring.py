@@ -7,8 +7,8 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import MaxNLocator
 
+from analytic.columns import Point
 from analytic.figures.style import BLUE, LETTERS, RED, WIDTH, lettered
-from analytic.loads.ring_state import Balls
 from analytic.units import speed_words
 from fembearing.quantities import Units
 from fembearing.report.figures.torque import NO_TORQUE
@@ -31,8 +31,9 @@ def ring_plot(document: Report) -> tuple[Figure | None, str]:
     points, state = torque.points, torque.friction.ring
     if state is None:
         return None, "Pair of bearings: ring and balls of each bearing are available from Python."
-    shown = [(points[place], state.row(place).balls) for place in sorted({0, len(points) - 1})]
-    angles = [angle for _, balls in shown for angle in (*balls.inner_angle, *balls.outer_angle) if angle is not None]
+    shown = [(points[place], state.rows[place]["balls"]) for place in sorted({0, len(points) - 1})]
+    every = (angle for _, balls in shown for race in LOOKS for angle in balls[f"{race}_angle"])
+    angles = [angle for angle in every if angle is not None]
     leans = max(map(abs, angles), default=0.0) > NO_ANGLE
     loads = present_loads(points)
     layout = ConstrainedLayoutEngine(h_pad=PAD)
@@ -59,22 +60,22 @@ def ring_plot(document: Report) -> tuple[Figure | None, str]:
     return lettered(figure), caption
 
 
-def _loads(panel: PolarAxes, balls: Balls, units: Units) -> None:
-    azimuth = np.append(balls.azimuth, balls.azimuth[0] + 2 * np.pi)  # closed
+def _loads(panel: PolarAxes, balls: Point, units: Units) -> None:
+    azimuth = np.append(balls["azimuth"], balls["azimuth"][0] + 2 * np.pi)  # closed
     for race, (colour, mark, line) in LOOKS.items():
-        load = [units.force.number(each) for each in getattr(balls, f"{race}_load")]
+        load = [units.force.number(each) for each in balls[f"{race}_load"]]
         panel.plot(azimuth, [*load, load[0]], f"{line}{mark}", color=colour, markersize=4, label=f"{race} race")
-    most = 1.1 * units.force.number(max(*balls.inner_load, *balls.outer_load, 1e-12))
+    most = 1.1 * units.force.number(max(*balls["inner_load"], *balls["outer_load"], 1e-12))
     panel.set_rticks([tick for tick in MaxNLocator(3).tick_values(0, most) if 0 < tick < most])
     panel.set_ylim(0, most)
     panel.set_thetagrids(range(0, 360, QUARTER))
     panel.set_rlabel_position(1.5 * QUARTER)  # where a radial load presses no ball
 
 
-def _angles(panel: Axes, balls: Balls) -> None:
+def _angles(panel: Axes, balls: Point) -> None:
     for race, (colour, mark, _) in LOOKS.items():
-        angle = [np.nan if each is None else np.degrees(each) for each in getattr(balls, f"{race}_angle")]
-        panel.plot(np.degrees(balls.azimuth), angle, mark, color=colour, markersize=4)
+        angle = [np.nan if each is None else np.degrees(each) for each in balls[f"{race}_angle"]]
+        panel.plot(np.degrees(balls["azimuth"]), angle, mark, color=colour, markersize=4)
     panel.set(xlabel="azimuth, deg", ylabel="contact angle, deg", xlim=(-10, 360))
     panel.set_xticks(range(0, 361, QUARTER))
     low, high = panel.get_ylim()

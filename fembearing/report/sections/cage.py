@@ -4,16 +4,16 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from analytic.cage.drive import LARGEST_GRIP
+from analytic.columns import Point
 from analytic.scene_torque import SceneTorque
 from fembearing.quantities import METRIC, Units
 from fembearing.report.document import Head, Section, Table, table_of
 from fembearing.report.phrases import between, percent, shown
-from fembearing.report.torque import CageMotionPoint
 
 if TYPE_CHECKING:  # a torque alone needs no solver, which the report of a check loads
     from fembearing.report.report import Report
 
-Moved = Mapping[int, CageMotionPoint]  # by the number of the operating point
+Moved = Mapping[int, Point]  # by the number of the operating point
 MOTION = (
     "Motion of the cage under the forces of its balls, by time stepping. Torque: power of sliding and drag over the "
     "speed of the ring, included in the total. All forces: mean of their sum. Largest: force of one ball on its "
@@ -30,14 +30,14 @@ REGIME = (
 
 
 def cage_tables(
-    motion: Sequence[CageMotionPoint] | None, torque: SceneTorque, places: Collection[int], units: Units = METRIC
+    motion: Sequence[Point] | None, torque: SceneTorque, places: Collection[int], units: Units = METRIC
 ) -> list[Table]:
     """Forces and regime at those of the points where a cage moved; none where none did.
 
     motion : at each point that has a torque
     """
     points = zip(torque.places.computed, motion or (), strict=motion is not None)
-    moved = {place + 1: point for place, point in points if place in places and point.torque is not None}
+    moved = {place + 1: point for place, point in points if place in places and point["torque"] is not None}
     return [motion_table(moved, units), regime_table(moved, units)] if moved else []
 
 
@@ -51,13 +51,13 @@ def motion_table(moved: Moved, units: Units = METRIC) -> Table:
     rows = [
         [
             *_named(number, point, units),
-            point.start or "-",
-            shown(point.mean_force, ".3g", force.factor),
-            shown(point.max_force, ".3g", force.factor),
-            between(point.interval and point.interval.max_force, force),
-            shown(point.torque, ".3g", torque.factor),
-            between(point.interval and point.interval.torque, torque),
-            shown(point.signed_moment, ".2g", torque.factor),
+            point["start"] or "-",
+            shown(point["mean_force"], ".3g", force.factor),
+            shown(point["max_force"], ".3g", force.factor),
+            between(point["interval"] and point["interval"]["max_force"], force),
+            shown(point["torque"], ".3g", torque.factor),
+            between(point["interval"] and point["interval"]["torque"], torque),
+            shown(point["signed_moment"], ".2g", torque.factor),
         ]
         for number, point in moved.items()
     ]
@@ -73,13 +73,13 @@ def regime_table(moved: Moved, units: Units = METRIC) -> Table:
     rows = [
         [
             *_named(number, point, units),
-            shown(point.whirl_speed, ".4g", speed.factor),
-            shown(point.wobble, ".3g", small.factor),
-            shown(point.ball_lead, ".3g", small.factor),
-            percent(point.grip_share),
-            shown(point.grip_number, ".2g", absent="unknown"),
-            shown(point.race_excess, "+.3g", torque.factor, absent=""),
-            f"{shown(point.duration, '.3g')} s in blocks of {shown(point.block, '.3g')} s",
+            shown(point["whirl_speed"], ".4g", speed.factor),
+            shown(point["wobble"], ".3g", small.factor),
+            shown(point["ball_lead"], ".3g", small.factor),
+            percent(point["grip_share"]),
+            shown(point["grip_number"], ".2g", absent="unknown"),
+            shown(point["race_excess"], "+.3g", torque.factor, absent=""),
+            f"{shown(point['duration'], '.3g')} s in blocks of {shown(point['block'], '.3g')} s",
             _other(point, units),
         ]
         for number, point in moved.items()
@@ -91,16 +91,16 @@ def _first(units: Units) -> list[Head]:
     return [Head("#"), Head(f"speed, {units.speed.name}", wide=True), Head("state", "text")]
 
 
-def _named(number: int, point: CageMotionPoint, units: Units) -> list[str]:
-    return [str(number), shown(point.inner_speed, ".5g", units.speed.factor), point.state or "-"]
+def _named(number: int, point: Point, units: Units) -> list[str]:
+    return [str(number), shown(point["inner_speed"], ".5g", units.speed.factor), point["state"] or "-"]
 
 
-def _other(point: CageMotionPoint, units: Units) -> str:
-    other = point.other
+def _other(point: Point, units: Units) -> str:
+    other = point["other"]
     if other is None:
         return "no whirl: one steady motion"
-    decides = "" if other.state == point.state else ": the start decides"
-    return f"{other.state} from {other.start}, {units.torque.written(other.torque, '.3g')}{decides}"
+    decides = "" if other["state"] == point["state"] else ": the start decides"
+    return f"{other['state']} from {other['start']}, {units.torque.written(other['torque'], '.3g')}{decides}"
 
 
 def cage_section(document: "Report") -> Section:

@@ -151,8 +151,7 @@ def headline_table(result: SceneTorque, units: Units = METRIC) -> Table:
         is_long = len(computed) > MOST_ESTIMATED
         why = f"more than {MOST_ESTIMATED} points" if is_long else "no torque at the bound of an input"
         notes.append(f"No interval: {why}; try --interval.")
-    if result.left_out:
-        lost = len(result.left_out)
+    if lost := len(result.places.failures):
         notes.append(
             "1 point without a torque is skipped." if lost == 1 else f"{lost} points without a torque are skipped."
         )

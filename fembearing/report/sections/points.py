@@ -64,7 +64,7 @@ def shown_places(torque: SceneTorque) -> list[int]:
 
     Of many with a torque: both ends, smallest and largest total, and an even choice of the others.
     """
-    known, lost = torque.places.computed, [each.point for each in torque.left_out[:MOST]]
+    known, lost = torque.places.computed, [*torque.places.failures][:MOST]
     if len(known) <= MOST:
         return sorted([*known, *lost])
     totals = {torque.points[place]["torque_total"]: place for place in reversed(known)}  # the first of equal ones

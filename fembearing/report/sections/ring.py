@@ -5,7 +5,6 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from analytic.columns import Point
-from analytic.loads.ring_state import Balls, Displacement, RingPoint
 from fembearing.quantities import Units
 from fembearing.report.document import Group, Head, Row, Section, Table, Text, table_of, without_zero_angles
 from fembearing.report.phrases import angle_cell, digits
@@ -17,7 +16,6 @@ FRAME = (
     "report.json."
 )
 AXES = ("axially", "along x", "along y")
-ROUND_OFF = 1e-9  # of the diagonal, below which an entry is none
 
 
 def ring_section(document: Report) -> Section:
@@ -25,12 +23,12 @@ def ring_section(document: Report) -> Section:
     torque, units = document.solved, document.units
     points = () if torque is None else torque.points
     state = None if torque is None else torque.friction.ring
-    shown = [] if state is None else [(index, state.row(index)) for index in _ends(points)]
+    shown = [] if state is None else [(index, state.rows[index]) for index in _ends(points)]
     if not shown:
         return Section("Ring and balls", [])
-    placed = [(index, ring.displacement) for index, ring in shown if ring.displacement is not None]
+    placed = [(index, ring["displacement"]) for index, ring in shown if ring["displacement"] is not None]
     stiffness = [Group(list(_stiffness(ring, units)), point_name(points, index, units)) for index, ring in shown]
-    balls = [Group(list(_balls(ring.balls, units)), point_name(points, index, units)) for index, ring in shown]
+    balls = [Group(list(_balls(ring["balls"], units)), point_name(points, index, units)) for index, ring in shown]
     return Section(
         "Ring and balls",
         [
@@ -47,14 +45,14 @@ def _ends(points: Sequence[Point]) -> list[int]:
     return sorted({0, len(points) - 1}) if points else []
 
 
-def _displacement(points: Sequence[Point], placed: Sequence[tuple[int, Displacement]], units: Units) -> Table:
+def _displacement(points: Sequence[Point], placed: Sequence[tuple[int, Point]], units: Units) -> Table:
     lengths = [Head(f"{name}, {units.small_length.name}") for name in AXES]
     tilts = [Head(f"tilt about {name}, deg (rad)") for name in "xy"]
     rows = [
         [
             *point_cells(points, index, units),
-            *(f"{units.small_length.number(each):z.3f}" for each in (ring.axial, ring.x, ring.y)),
-            *(f"{np.degrees(each):z.4f} ({each:z.6f})" for each in (ring.tilt_x, ring.tilt_y)),
+            *(f"{units.small_length.number(ring[name]):z.3f}" for name in ("axial", "x", "y")),
+            *(f"{np.degrees(ring[name]):z.4f} ({ring[name]:z.6f})" for name in ("tilt_x", "tilt_y")),
         ]
         for index, ring in placed
     ]
@@ -74,22 +72,20 @@ def _heads_of_balls(units: Units) -> list[Head]:
     return [Head("azimuth, deg (rad)", "name"), *numbers]
 
 
-def _stiffness(ring: RingPoint, units: Units) -> Iterator[Row]:
+def _stiffness(ring: Point, units: Units) -> Iterator[Row]:
     force, torque = units.force, units.torque
     actions = [f"{name}, {force.name}" for name in ("axial force", "force along x", "force along y")]
     actions += [f"moment about {name}, {torque.name}" for name in "xy"]
     along, tilt = 1 / units.small_length.factor, 1e-3  # m and rad, by one of which a column moves
     per_si = np.outer([*3 * [force.factor], *2 * [torque.factor]], [*3 * [along], *2 * [tilt]])
-    matrix = np.array(ring.stiffness)
-    scale = np.sqrt(np.abs(np.outer(matrix.diagonal(), matrix.diagonal())))
-    matrix = np.where(np.abs(matrix) > ROUND_OFF * scale, matrix, 0.0)  # a symmetric bearing has zeros
+    matrix = np.array(ring["stiffness"])
     for action, row in zip(actions, matrix * per_si, strict=True):
         yield [action, *(f"{value:.4g}" for value in row)]
 
 
-def _balls(balls: Balls, units: Units) -> Iterator[Row]:
+def _balls(balls: Point, units: Units) -> Iterator[Row]:
     """A row for each ball; one for all of them where they are alike."""
-    columns = (balls.inner_load, balls.outer_load, balls.inner_angle, balls.outer_angle)
+    columns = (balls[name] for name in ("inner_load", "outer_load", "inner_angle", "outer_angle"))
     rows = [
         (
             digits(inner, units.force.factor, 4),
@@ -102,5 +98,5 @@ def _balls(balls: Balls, units: Units) -> Iterator[Row]:
     if len(set(rows)) == 1:
         yield [f"all {len(rows)} balls", *rows[0]]
         return
-    for azimuth, row in zip(balls.azimuth, rows, strict=True):
+    for azimuth, row in zip(balls["azimuth"], rows, strict=True):
         yield [f"{np.degrees(azimuth):.1f} ({azimuth:.3f})", *row]

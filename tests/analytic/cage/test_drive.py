@@ -84,7 +84,7 @@ def test_a_squeezed_cage_also_carries_its_weight() -> None:
     carried = present(drive.grip.carried(mu))[:, 0]
     np.testing.assert_allclose(part.grip_share, part.mean_force / (9 * carried), rtol=1e-12)
     assert "at -740 rpm balls lead on one side of the bearing and lag on the other by 0.21 mm" in part.warnings[0]
-    assert [part.row(point).state for point in range(3)] == ["squeezed", "squeezed", "rest"]
+    assert [part.rows[point]["state"] for point in range(3)] == ["squeezed", "squeezed", "rest"]
 
 
 def test_the_grip_of_a_race_counts_loads_above_0_alone() -> None:

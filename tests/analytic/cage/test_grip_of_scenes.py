@@ -101,7 +101,7 @@ def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     assert not result.is_on("cage_dynamics")
     (warning,) = (warning for warning in result.warnings if "wider pockets avoid this" in warning)
     assert "at 500 rpm" in warning
-    assert present(result.cage).row(0).state == "squeezed"
+    assert present(result.cage).rows[0]["state"] == "squeezed"
     # Creep alone would give some 170 N (test_grip.py), so every ball slides: 2 mu Q/1.1, up to the weight of the cage
     np.testing.assert_allclose(cage.grip_share, 1.0, rtol=2e-4)
     rate = 15.599e-3 * 23.411 / 39.01  # r w_b/w at 0.18 rad; here the angle is larger

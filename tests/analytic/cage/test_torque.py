@@ -25,7 +25,7 @@ def test_the_closed_form_adds_the_torque_of_a_resting_cage() -> None:
     np.testing.assert_allclose(result.torque.total, result.torque.race + present(result.torque.cage), rtol=1e-12)
     # The cage hangs off the vertical by the angle of friction.
     np.testing.assert_allclose(present(result.cage).mean_force, 6.58e-3 * 9.80665 * np.cos(np.arctan(0.1)), rtol=1e-9)
-    assert present(result.cage).row(1).state == "rest"
+    assert present(result.cage).rows[1]["state"] == "rest"
 
 
 def test_the_closed_form_includes_drag() -> None:
@@ -43,7 +43,7 @@ def test_the_closed_form_includes_drag() -> None:
         pressed = closed.mean_force - moved.mean_force
         assert np.all((-0.02 * moved.mean_force < pressed) & (pressed < 0.0642 + 0.02 * moved.mean_force))
         np.testing.assert_allclose(closed.signed_moment, moved.signed_moment, rtol=0.02)
-        assert closed.row(1).signed_moment == closed.signed_moment[1]
+        assert closed.rows[1]["signed_moment"] == closed.signed_moment[1]
         back = replace(scene_of.operation, inner_speed=-CAGED.operation.inner_speed)
         mirrored = friction_torque(
             replace(scene_of, operation=back, effects={**CAGED.effects, "cage_dynamics": "off"})
@@ -100,7 +100,7 @@ def test_a_start_calls_for_the_motion() -> None:
     assert torque[1] == fast.torque
     np.testing.assert_allclose(cage.half_interval, [0.0, np.diff(fast.torque_interval)[0] / 2])
     assert np.all(result.numerical_uncertainty >= cage.half_interval / result.torque.total)
-    point = plain(cage.row(1))
+    point = plain(cage.rows[1])
     assert point["interval"] == {"torque": list(fast.torque_interval), "max_force": list(fast.max_force_interval)}
     np.testing.assert_allclose(point["mean_force"], 15.95, rtol=0.02)  # m (w_b r/nabla + w_c)^2 nabla by hand
     assert any('"whirl" leads to whirl' in warning for warning in result.warnings)

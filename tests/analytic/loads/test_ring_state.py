@@ -11,7 +11,6 @@ from analytic.loads.ring import ring_equilibrium
 from analytic.loads.ring_state import RingState
 from analytic.result import FrictionTorque
 from analytic.scene import Operation, Scene
-from fembearing.plain_types import plain
 from tests.analytic.specimens import present
 
 PLAIN = {"cage": "off", "cage_dynamics": "off", "finite_geometry": "off", "creep": "off", "weight": "off"}
@@ -84,7 +83,7 @@ def test_a_given_angle_has_no_displacement_and_a_thrust_bearing_begins_where_it_
     angle = replace(scene.contact_angle, rule="given", value=0.31, free=None)
     given = torque(replace(scene, contact_angle=angle), axial_load=[800.0], inner_speed=[9.0])
     assert present(given.ring).displacement is None
-    assert present(given.ring).row(0).displacement is None
+    assert present(given.ring).rows[0]["displacement"] is None
     washers = analytic.load_scene("validation/scenes/thrust_rig_3mm.toml")
     ring = present(torque(washers, axial_load=[9.0], inner_speed=[5.0]).ring)
     np.testing.assert_allclose(present(ring.displacement)[0, 0], ring.approach[0, :, 0].sum(), rtol=1e-9)
@@ -95,7 +94,7 @@ def test_a_given_angle_has_no_displacement_and_a_thrust_bearing_begins_where_it_
 
 def test_the_dataset_names_race_ball_and_freedom(scene):
     ring = state(scene, **LOADS)
-    found, rows = ring.to_dataset(), [plain(ring.row(number)) for number in range(2)]
+    found, rows = ring.to_dataset(), ring.rows
     for point, content in enumerate(rows):
         at = found.isel(point=point)
         for race in ("inner", "outer"):
@@ -104,4 +103,4 @@ def test_the_dataset_names_race_ball_and_freedom(scene):
             assert float(at[f"displacement_{freedom}"]) == value
         assert float(at["stiffness"].sel(force="axial", freedom="tilt_y")) == content["stiffness"][0][4]
     assert repr(ring) == f"RingState(6205, 2 points, 9 balls, heaviest {span(ring.load.max(axis=(1, 2)))} N)"
-    assert plain(ring.at(np.array([1])).row(0)) == rows[1]
+    assert ring.at(np.array([1])).rows[0] == ring.rows[1]

@@ -5,7 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from analytic.left_out import LeftOut, Places
+from analytic.errors import InputError
+from analytic.left_out import Places
+from analytic.scene import Operation
 from fembearing.quantities import INCH_POUND, METRIC
 from fembearing.report.sections.points import (
     fixed_loads,
@@ -52,13 +54,10 @@ def test_the_heaviest_point_is_the_first_with_the_largest_load_on_either_race() 
 
 def series(totals: dict[int, float], size: int) -> Any:
     """A torque at these of the points of a series."""
-    lost = tuple(
-        LeftOut(point=number, inner_speed=3.0, axial_load=9e9, radial_load=0.0, moment=0.0, reason="too heavy")
-        for number in range(size)
-        if number not in totals
-    )
+    lost = {number: InputError("too heavy") for number in range(size) if number not in totals}
+    operation = Operation(axial_load=np.full(size, 9e9), inner_speed=np.full(size, 3.0))
     points = [{"torque_total": totals.get(number)} for number in range(size)]
-    return SimpleNamespace(points=points, left_out=lost, places=Places(size=size, left_out=lost))
+    return SimpleNamespace(points=points, places=Places(operation=operation, failures=lost))
 
 
 def test_of_a_long_series_both_ends_the_extremes_and_an_even_choice_are_shown() -> None:
