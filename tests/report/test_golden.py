@@ -110,7 +110,7 @@ def test_the_terminal_says_of_results_made_by_hand(name: str, pytestconfig: pyte
 
 def test_a_check_says(made: Validation, pytestconfig: pytest.Config) -> None:
     """Of the check made by hand in conftest.py, without the friction that was computed, which varies by processor."""
-    document = report_of(replace(made, creep=()))
+    document = report_of(replace(made, creep=(), ladders=(CONTACT, ABSENT)))
     compare("check-terminal", printed([check_headline(document), *detail_sections(document)]), pytestconfig)
     compare("check-page", text_of(report_page(document).partition("Provenance</h2>")[0]), pytestconfig)
 
