@@ -20,10 +20,10 @@ from rich.console import Console
 
 from analytic.scene_torque import SceneTorque, torque_of_scene
 from analytic.scenefile.read import load_scene
+from analytic.units import INCH_POUND
 from fembearing.check.contact.load_series import PocketLaw
 from fembearing.check.validation import Validation
 from fembearing.plain_types import document
-from fembearing.quantities import INCH_POUND
 from fembearing.report.document import Section
 from fembearing.report.folder import report_page
 from fembearing.report.report import report_of

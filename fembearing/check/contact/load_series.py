@@ -23,6 +23,7 @@ from scipy.special import stdtrit
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
+from analytic.columns import CONTACT_COLUMNS, VERDICT
 from analytic.errors import InputError, require_non_negative
 from analytic.given import SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
@@ -50,7 +51,6 @@ from fembearing.fem.solution import MeshSolution
 from fembearing.grid_convergence import Estimate
 from fembearing.mesh.footprint import Sides
 from fembearing.mesh.recipe import Geometry, Recipe
-from fembearing.quantities import CONTACT_COLUMNS, VERDICT
 
 # A series on plain levels: where the edge of an ellipse crosses cells made for another ellipse, the error of the
 # approach oscillates with the load, alike on all levels. On 14 idealised contacts at 33 sizes from 0.65 to 1.35 of

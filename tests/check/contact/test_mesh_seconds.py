@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
+from analytic.words import about
 from fembearing.check.contact.refinement import predicted_seconds
-from fembearing.quantities import about
 
 
 def solved(unknowns: int, *, level: int = 2, seconds: float = 7.0) -> Any:
