@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from analytic.scene import Contact
+from analytic.words import about
 from fembearing.check.contact.meshed_region import (
     FARTHER_LEFT,
     SIDES_LEFT,
@@ -36,7 +37,6 @@ from fembearing.check.contact.solution import ContactSolution, compare_contact
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.grid_convergence import FINEST
 from fembearing.mesh.recipe import Recipe, load_recipe
-from fembearing.quantities import about
 
 
 @pytest.mark.parametrize(
