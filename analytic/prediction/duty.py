@@ -27,8 +27,7 @@ from analytic.result import FrictionTorque
 from analytic.rows import NotNegative, OperatingPoint, Positive
 from analytic.scene import Array, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
-from analytic.scenefile.columns import operating_points, require_loads
-from analytic.scenefile.cycle import Cycle, read_cycle
+from analytic.scenefile.columns import Cycle, operating_points, read_cycle, require_loads
 from analytic.scenefile.read import any_by_temperature
 from analytic.torque import friction_torque
 from analytic.words import torque_of

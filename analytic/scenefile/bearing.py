@@ -17,7 +17,7 @@ from analytic.declared import read_only
 from analytic.scene import Bearing, Groove, Origin
 from analytic.scenefile.fill import BALL, BOTTOMS, GAP, PITCH, RIVALS, rivals_of
 from analytic.scenefile.keys import RINGS, Values, catalog_solid, read_document, scene_table
-from analytic.scenefile.usual_cage import assumed_cage
+from analytic.scenefile.usual import assumed_cage
 
 OF_RADIAL = ("bottom_radius", "shoulder_diameter", "far_shoulder_diameter")  # keys of rings that washers do not have
 MATERIALS = ("ball_material", *(f"{ring}.material" for ring in RINGS))

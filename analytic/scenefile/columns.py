@@ -1,29 +1,31 @@
-"""A CSV file with one row for each operating point: a column for each quantity, with its unit in brackets.
+"""CSV files with one row for each operating point: measured torques, and the steps of a duty cycle.
 
     # rig 2, second run
     inner_speed [rpm],axial_load [N],temperature [degC],torque [N mm],uncertainty [N mm]
     500,1000,62.5,35.1,0.8
 
-Lines that begin with # are comments. Every message is one line with the place, the value and what is accepted.
+A column for each quantity, with its unit in brackets; lines that begin with # are comments. Every message is one line
+with the place, the value and what is accepted.
 """
 
 import csv
 import os
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from analytic.declared import nothing
+from analytic.declared import nothing, read_only
 from analytic.errors import InputError
 from analytic.quantity import NUMBER, Dimension
-from analytic.scene import Array, Scene
-from analytic.scenefile.keys import scene_key
-from analytic.scenefile.text import read_text
-from analytic.words import plain, shown
+from analytic.scene import Array, Lubricant, MeasuredTorque, Scene
+from analytic.scenefile.find import read_text
+from analytic.scenefile.keys import Values, scene_key
+from analytic.scenefile.oil import lubricant_of
+from analytic.words import plain, shown, torque_of
 
 OPERATING = ("inner_speed", "axial_load", "radial_load", "temperature")  # columns that say where a row is
 LIKENESS = 0.5  # of a name to the one that is probably meant
@@ -203,3 +205,112 @@ def require_loads(scene: Scene, file: str, points: Mapping[str, Array]) -> None:
     idle = (points["axial_load"] == 0) & (points["radial_load"] == 0) & (points["moment"] == 0)
     if np.any(idle) and (scene.arrangement is None or scene.arrangement.kind == "tandem"):
         raise InputError(f"{file}: row {int(np.argmax(idle)) + 1} has no load; give one, or leave the row out")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Magnitude(Dimension):
+    """A quantity that is given without its sign."""
+
+    def read(self, given: object) -> float:
+        """The value in SI. Raises ValueError as `Dimension.read`, and for a value below 0."""
+        if isinstance(given, str) and given.startswith("-"):
+            raise ValueError("is below 0; give its magnitude, whatever its sign")
+        return super().read(given)
+
+
+TORQUE = Magnitude(unit="N m", low=1e-12, high=1e6, example='"35.1 N mm"')
+OF_MEASURED = Columns(
+    known={
+        **{name: operating_column(name) for name in OPERATING},
+        "torque": TORQUE,
+        "uncertainty": Dimension(unit="N m", low=0.0, high=TORQUE.high, example='"0.8 N mm"'),
+    },
+    required="torque",
+    row="measured torque",
+    where="where the torques were measured",
+    example=("inner_speed", "torque", "uncertainty"),
+    shares=read_only({"uncertainty": Dimension(unit="", low=0, high=1, example='"2 %"')}),  # over its torque
+)
+
+
+def read_measured(path: str | os.PathLike[str]) -> MeasuredTorque:
+    """The measured torques in a CSV file, without the oils at their temperatures.
+
+    Raises InputError as `Columns.read`, and for a row where nothing turns or whose uncertainty exceeds its torque.
+    """
+    columns, rows = OF_MEASURED.read(path)
+    file = plain(os.fspath(path))
+    if any(column.is_share for column in columns):
+        for row in rows:
+            row.values["uncertainty"] *= row.values["torque"]
+    for row in rows:
+        _require_fit(row, file)
+    values: dict[str, Any] = {column.name: np.array([row.values[column.name] for row in rows]) for column in columns}
+    return MeasuredTorque(file=file, **values)
+
+
+def _require_fit(row: Row, file: str) -> None:
+    torque, uncertainty = row.values["torque"], row.values.get("uncertainty", 0.0)
+    if row.values.get("inner_speed") == 0:
+        raise InputError(f"{file}: {row.place}: inner_speed = 0: nothing turns; give the speed, or leave the row out")
+    if uncertainty > torque:
+        raise InputError(
+            f"{file}: {row.place}: uncertainty = {torque_of(uncertainty)} is larger than the torque, "
+            f"{torque_of(torque)}; give the standard uncertainty of the measured torque (k = 1)"
+        )
+
+
+def with_oils(measured: MeasuredTorque, values: Values, own: Lubricant | None, *, ball_radius: float) -> MeasuredTorque:
+    """The same, with the oil that the scene describes at the temperature of each row.
+
+    values, own : of the scene;  ball_radius : m. Raises InputError for temperatures without an oil, or beyond its data.
+    """
+    if measured.temperature is None:
+        return measured
+    if own is None:
+        raise InputError(
+            f"{measured.file}: the column temperature is that of the oil, and the scene has no [lubricant]; "
+            "leave the column out"
+        )
+    oils = {own.temperature: own}
+    for temperature in np.unique(measured.temperature).tolist():
+        if temperature not in oils:
+            try:
+                oils[temperature] = lubricant_of(values.at(temperature), ball_radius=ball_radius)
+            except InputError as problem:
+                row = int(np.flatnonzero(measured.temperature == temperature)[0]) + 1
+                raise InputError(
+                    f"{measured.file}: row {row}: temperature = {temperature - 273.15:.4g} degC: {problem}"
+                ) from problem
+    return replace(measured, oils=read_only(oils))
+
+
+OF_CYCLE = Columns(
+    known={
+        "duration": Dimension(unit="s", low=1e-9, high=1e10, example='"20 s"'),
+        **{name: operating_column(name) for name in OPERATING},
+    },
+    required="duration",
+    row="duty step",
+    where="what runs in its steps",
+    example=("duration", "inner_speed"),
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cycle:
+    """The steps of a duty cycle, each array (n,); None: as in the scene."""
+
+    file: str  # that has them, as messages name it
+    duration: Array  # s, > 0
+    inner_speed: Array | None = None  # rad/s; 0: a pause
+    axial_load: Array | None = None  # N
+    radial_load: Array | None = None  # N
+    temperature: Array | None = None  # of the oil at the inlets, K
+
+
+def read_cycle(path: str | os.PathLike[str]) -> Cycle:
+    """The duty cycle in a CSV file. Raises InputError as `Columns.read`."""
+    columns, rows = OF_CYCLE.read(path)
+    values = {column.name: np.array([row.values[column.name] for row in rows]) for column in columns}
+    return Cycle(file=plain(os.fspath(path)), **values)

@@ -46,11 +46,10 @@ from analytic.scenefile.bearing import (
     shoulder_faults,
 )
 from analytic.scenefile.by_temperature import SceneByTemperature, thermal_faults
-from analytic.scenefile.columns import OPERATING, key_of_column, operating_column
+from analytic.scenefile.columns import OPERATING, key_of_column, operating_column, read_measured, with_oils
 from analytic.scenefile.fill import BALL, apply_rules, rivals_of
-from analytic.scenefile.find import FoundScene, find_scene
+from analytic.scenefile.find import FoundScene, find_scene, parse_text
 from analytic.scenefile.inputs import given_assumptions, given_spreads
-from analytic.scenefile.installation import arranged, in_operation, installation_faults
 from analytic.scenefile.keys import (
     BESIDE,
     Values,
@@ -61,14 +60,17 @@ from analytic.scenefile.keys import (
     with_key,
     without_key,
 )
-from analytic.scenefile.losses import losses_of
-from analytic.scenefile.measured import read_measured, with_oils
 from analytic.scenefile.oil import lubricant_of
 from analytic.scenefile.setting import given_values, in_si, require_nothing_beside
-from analytic.scenefile.surface import surface_conflicts, surface_of
-from analytic.scenefile.text import parse_text
-from analytic.scenefile.usual import told_values, usual_values
-from analytic.scenefile.usual_cage import FRICTION, ORIGINS, assumed_cage
+from analytic.scenefile.tables import (
+    arranged,
+    in_operation,
+    installation_faults,
+    losses_of,
+    surface_conflicts,
+    surface_of,
+)
+from analytic.scenefile.usual import FRICTION, ORIGINS, assumed_cage, told_values, usual_values
 from analytic.words import shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning

@@ -243,7 +243,7 @@ Bodies = Annotated[
 def _standard_input() -> str:
     """Raises InputError for more than a scene file may have, and for what is not UTF-8."""
     from analytic.errors import InputError
-    from analytic.scenefile.text import LARGEST_FILE
+    from analytic.scenefile.find import LARGEST_FILE
 
     content = sys.stdin.buffer.read(LARGEST_FILE + 1)
     if len(content) > LARGEST_FILE:

@@ -20,7 +20,7 @@ import fembearing
 from analytic import friction_torque, load_scene
 from analytic.prediction.duty import cycle_with_torques
 from analytic.scene import Scene
-from analytic.scenefile.cycle import read_cycle
+from analytic.scenefile.columns import read_cycle
 from analytic.scenefile.read import any_by_temperature
 from analytic.scenefile.template import scene_text as template
 from analytic.standing import worst_standing

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from analytic.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, RED, WIDTH, lettered, scaled
 from analytic.figures.torque import logarithmic_torques
 from analytic.scene import Array
-from analytic.scenefile.measured import OPERATING
+from analytic.scenefile.columns import OPERATING
 from analytic.words import Unit
 from fembearing.check.measured.comparison import MeasuredComparison
 from fembearing.check.measured.rows import COVERAGE, MeasuredRow

@@ -1,6 +1,6 @@
 """Measured torques beside the computed ones."""
 
-from analytic.scenefile.measured import OPERATING
+from analytic.scenefile.columns import OPERATING
 from fembearing.check.measured.comparison import MeasuredComparison
 from fembearing.check.measured.rows import MeasuredRow
 from fembearing.quantities import METRIC, Units

@@ -7,7 +7,7 @@ from mpmath import mp, mpf
 
 from analytic.errors import InputError
 from analytic.oil.viscosity_temperature import ViscosityLine, viscosity_line
-from analytic.scenefile.known_oil import base_oil, named_oil
+from analytic.scenefile.oil import base_oil, named_oil
 from tests.analytic.specimens import present
 
 ZERO = 273.15  # K

@@ -7,7 +7,7 @@ import pytest
 
 import analytic
 from analytic.errors import InputError
-from analytic.scenefile.measured import read_measured
+from analytic.scenefile.columns import read_measured
 from analytic.scenefile.read import load_scene
 from fembearing.provenance import provenance_of
 from tests.analytic.scenefile.scene_texts import MINE

@@ -13,10 +13,10 @@ from hypothesis import given
 
 from analytic.declared import AnyText, Key
 from analytic.errors import InputError
+from analytic.scenefile.find import LARGEST_FILE
 from analytic.scenefile.keys import SOLIDS, Extent, scene_key, scene_table, with_key
 from analytic.scenefile.read import load_scene, scene_of
 from analytic.scenefile.setting import read_setting
-from analytic.scenefile.text import LARGEST_FILE
 from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
 
 BEARING = 'catalog = "paper_6205"'

@@ -9,7 +9,7 @@ import analytic
 from analytic import catalog
 from analytic.errors import InputError
 from analytic.scene import Lubricant
-from analytic.scenefile.known_oil import assumed_properties
+from analytic.scenefile.oil import assumed_properties
 from tests.analytic.scenefile.scene_texts import PLAIN, refusal, scene
 from tests.analytic.specimens import present
 

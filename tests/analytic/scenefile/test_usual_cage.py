@@ -10,7 +10,7 @@ from analytic.errors import InputError
 from analytic.prediction.spreads import uncertain_inputs
 from analytic.scenefile.inputs import stated_inputs
 from analytic.scenefile.read import load_scene
-from analytic.scenefile.usual_cage import cage_sizes
+from analytic.scenefile.usual import cage_sizes
 from tests.analytic.specimens import BEARING_6205, effect_of, present
 
 LOADED: dict[str, Any] = {"radial_load": "2.3 kN", "speed": "1700 rpm"}
