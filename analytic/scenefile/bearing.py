@@ -14,7 +14,7 @@ from analytic import catalog
 from analytic.catalog.bearing_rows import BEARING_STEEL, CatalogBearing, find_bearing
 from analytic.catalog.suffixes import seal_contact
 from analytic.declared import read_only
-from analytic.scene import Bearing, Groove, Origin
+from analytic.scene import Bearing, Origin
 from analytic.scenefile.fill import BALL, BOTTOMS, GAP, PITCH, RIVALS, rivals_of
 from analytic.scenefile.keys import RINGS, Values, catalog_solid, read_document, scene_table
 from analytic.scenefile.usual import assumed_cage
@@ -233,17 +233,12 @@ def bearing_of(v: Values, row: CatalogBearing | None) -> Bearing:
     lost = {key for key in RATINGS if f"bearing.{key}" not in v.said} if is_own else set()  # of the original bearing
     name = v["bearing.name"] or v["bearing.catalog"] or "unnamed"
     origins = _origins(v, row) | ({} if origin is None else {"clearance": origin})
-    grooves = {
-        ring: Groove(**v.fields(Groove, f"bearing.{ring}", material=v[f"bearing.{ring}.material"])) for ring in RINGS
-    }
     return Bearing(
         **v.fields(
             Bearing,
             "bearing",
             **dict.fromkeys(lost),
-            **grooves,
             name=f"own bearing (from {name})" if is_own and "bearing.name" not in v.said else name,
-            ball_material=v["bearing.ball_material"],
             series=None if is_own else _series(v, row),
             seals=None if row is None else row.seals,
             seals_rub=row is not None and any(seal_contact(suffix) != "none" for suffix in row.seal_suffixes),

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from analytic.errors import InputError
 from analytic.scene import Scene, Thermal
 from analytic.scenefile.keys import Values
+from analytic.scenefile.kinds import GivenViscosity
 from analytic.scenefile.oil import lubricant_of
-from analytic.scenefile.viscosity import GivenViscosity
 
 ZERO_CELSIUS = 273.15  # K
 

@@ -9,7 +9,8 @@ from analytic.declared import Whole
 from analytic.errors import InputError
 from analytic.rows import NotNegative
 from analytic.scene import LOSS_SPREAD, Bearing, Cage, Groove, Material, Origin, Scene, Status
-from analytic.scenefile.keys import ASSUMABLE, LARGEST_SHARE, UNCERTAIN, GivenSpread, Values, scene_key
+from analytic.scenefile.keys import ASSUMABLE, UNCERTAIN, Values, scene_key
+from analytic.scenefile.kinds import LARGEST_SHARE, GivenSpread
 
 
 @dataclass(frozen=True, kw_only=True)

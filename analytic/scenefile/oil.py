@@ -13,11 +13,11 @@ from analytic import catalog
 from analytic.declared import read_only
 from analytic.errors import InputError
 from analytic.oil.viscosity_temperature import PressureViscosityLaw, ViscosityLine, viscosity_line
-from analytic.quantity import in_si
+from analytic.quantity import SI, in_si
 from analytic.scene import Lubricant, Origin, Reach, Status
-from analytic.scenefile.keys import GivenLength, Values
+from analytic.scenefile.keys import Values
+from analytic.scenefile.kinds import GivenViscosity, ViscosityPoint
 from analytic.scenefile.law_packages import BUILT_IN, installed_law
-from analytic.scenefile.viscosity import GivenViscosity, ViscosityPoint
 from analytic.words import length_of, shown
 
 COLD, HOT = 313.15, 373.15  # K: where the catalog's viscosities are given
@@ -286,15 +286,15 @@ def lubricant_of(values: Values, *, ball_radius: float) -> Lubricant:
 
 def _reach(values: Values, ball_radius: float) -> Reach:
     def share(key: str) -> float:
-        given: float | GivenLength = values[f"lubricant.reach.{key}"]
-        if not isinstance(given, GivenLength):
+        given: float = values[f"lubricant.reach.{key}"]
+        if not isinstance(given, SI):  # a length
             return given
-        if given.metres > ball_radius:
+        if given > ball_radius:
             raise InputError(
-                f"lubricant.reach.{key} of {length_of(given.metres)} is beyond the ball's radius, "
+                f"lubricant.reach.{key} of {length_of(given)} is beyond the ball's radius, "
                 f"{length_of(ball_radius)}: give at most that"
             )
-        return given.metres / ball_radius
+        return given / ball_radius
 
     return Reach(ahead=share("ahead"), behind=share("behind"))
 

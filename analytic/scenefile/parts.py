@@ -15,7 +15,7 @@ from analytic.errors import InputError, require_finite
 from analytic.given import Given, Quantity
 from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Scene, Surface, Tilt
 from analytic.scenefile.keys import scene_key
-from analytic.scenefile.material import catalog_material
+from analytic.scenefile.kinds import catalog_material
 from analytic.scenefile.read import scene_of
 from analytic.scenefile.setting import as_plain, in_si
 from analytic.words import shown

@@ -26,10 +26,8 @@ from analytic.scene import (
     ContactAngle,
     Decision,
     EffectName,
-    Land,
     Losses,
     Operation,
-    ReportDetails,
     Scene,
     Surface,
     Thermal,
@@ -80,7 +78,6 @@ SEATED, HALF_SEATED = 1.7, 1.25
 NOTHING_SET: Mapping[str, Any] = MappingProxyType({})
 LEAST_CAGED = 1e-4  # m: the assumed cage of a smaller ball would be thinner than a scene may say
 NO_CAGE = "cage = none"
-OF_FRICTION = ("hysteresis_loss", "elastic_rolling", "spin_rule", "microslip")
 SERIES = ("axial_load", "inner_speed", "radial_load", "moment")
 MOST_FAULTS = 5  # in one message; the others are counted
 
@@ -431,26 +428,21 @@ def _scene(
             losses = losses_of(v, delivered, row)
         except InputError as problem:
             misfits.append(("losses.seals", f"is refused: {problem}"))
-    scene = Scene(
-        name=v["name"],
-        tolerance=v["tolerance"],
-        bearing=bearing,
-        contact_angle=angle,
-        clearances=clearances,
-        arrangement=arrangement,
-        operation=_operation(v),
-        down=v["operation.down"],
-        cage=cage,
-        lubricant=lubricant_of(v, ball_radius=bearing.ball_diameter / 2) if is_lubricated else None,
-        surface=surface,
-        friction_coefficient=v["friction.coefficient"],
-        **{name: v[f"friction.{name}"] for name in OF_FRICTION},
-        losses=losses,
-        effects=_effects(v, has_no_cage=cage is None and (row is not None or NO_CAGE in v.said)),
-        calibration=v["calibration"],
-        report=ReportDetails(**v.fields(ReportDetails, "report")),
-        warnings=(*_of_designation(v, row), *_loose(v, row), *fit.warnings(bearing, cage)),
-    )
+    parts = {
+        "bearing": bearing,
+        "contact_angle": angle,
+        "clearances": clearances,
+        "arrangement": arrangement,
+        "operation": _operation(v),
+        "down": v["operation.down"],
+        "cage": cage,
+        "lubricant": lubricant_of(v, ball_radius=bearing.ball_diameter / 2) if is_lubricated else None,
+        "surface": surface,
+        "losses": losses,
+        "effects": _effects(v, has_no_cage=cage is None and (row is not None or NO_CAGE in v.said)),
+        "warnings": (*_of_designation(v, row), *_loose(v, row), *fit.warnings(bearing, cage)),
+    }
+    scene = Scene(**v.fields(Scene, "", **parts))
     return (scene, [*misfits, *unplaced]) if misfits or unplaced else _with_spreads(v, scene)
 
 
@@ -538,8 +530,6 @@ def _cage(v: Values, *, assumed: Collection[str]) -> Cage:
             "cage",
             origins=read_only({key: ORIGINS[key] for key in assumed if v[f"cage.{key}"] is not None}),
             pocket_stiffness=v["cage.pocket_stiffness"],
-            material=v["cage.material"],
-            land=v.noun(Land, "cage.land"),
         )
     )
 

@@ -24,8 +24,6 @@ from analytic.scene import (
     HeightMapFile,
     Losses,
     Origin,
-    ShearedLand,
-    ShearedPockets,
     Surface,
 )
 from analytic.scenefile.fit import arrangement_misfits, bearing_misfits
@@ -68,7 +66,7 @@ def in_operation(bearing: Bearing, v: Values) -> tuple[Bearing, Clearances | Non
 
     Rings without a temperature stay as they were mounted.
     """
-    mounting = _mounting(v)
+    mounting = Mounting(**v.fields(Mounting, "mounting"))
     problems = list(mounting_faults(bearing, mounting))
     if problems:
         return bearing, None, problems
@@ -81,11 +79,6 @@ def in_operation(bearing: Bearing, v: Values) -> tuple[Bearing, Clearances | Non
         clearances,
         [("mounting", f"leads to a bearing in operation whose {key} {why}") for key, why in misfits],
     )
-
-
-def _mounting(v: Values) -> Mounting:
-    solids = {key: v[f"mounting.{key}"] for key in ("shaft_material", "housing_material")}
-    return Mounting(**v.fields(Mounting, "mounting", **solids))
 
 
 def arranged(v: Values, bearing: Bearing, angle: ContactAngle) -> tuple[Arrangement | None, list[tuple[str, str]]]:
@@ -201,15 +194,8 @@ def losses_of(v: Values, bearing: Bearing, row: CatalogBearing | None) -> Losses
     Raises InputError for an estimate of seals that nobody names.
     """
     seals = v["losses.seals"]
-    oil = {
-        **{key: v[f"losses.{key}"] for key in ("drag", "oil_flow", "oil_share")},
-        "land": v.noun(ShearedLand, "losses.land"),
-        "pockets": v.noun(ShearedPockets, "losses.pockets"),
-    }
-    if seals == "off":
-        return Losses(seals=0.0, **oil)
-    if isinstance(seals, float) or (seals is None and not bearing.seals_rub):
-        return Losses(seals=seals, **oil)
+    if isinstance(seals, float) or seals == "off" or (seals is None and not bearing.seals_rub):
+        return Losses(**v.fields(Losses, "losses", seals=0.0 if seals == "off" else seals))
     if row is None:
         raise InputError('it needs seals by a designation of the catalogue, for example catalog = "6205-2RS1"')
     inner = bearing.inner
@@ -220,7 +206,7 @@ def losses_of(v: Values, bearing: Bearing, row: CatalogBearing | None) -> Losses
     drag = seal_torque(row, counterface=counterface)
     kinds = sorted({kind for seals in row.seal_suffixes if (kind := seal_type(seals)) is not None})
     if not kinds:
-        return Losses(seals=drag, **oil)
+        return Losses(**v.fields(Losses, "losses", seals=drag))
     words = f"SKF's formula for {' and '.join(kinds)} seals [SKFSeals], on a diameter of {1e3 * counterface:.4g} mm"
     origin = Origin(status="assumed", uncertainty=seal_spread(row) * drag, source=words)
-    return Losses(seals=drag, origins=read_only({"seals": origin}), **oil)
+    return Losses(**v.fields(Losses, "losses", seals=drag, origins=read_only({"seals": origin})))
