@@ -3,11 +3,14 @@
 `analytic.scenefile.keys` has the keys. File, options, settings and keywords make one document; the usual values of a
 bearing fill what nobody gives, its keys are read into SI, and the catalogue fills what is still open. Every message is
 one line with the key, the value and what is accepted.
+
+An oil is known over the temperature by its name or by two viscosities; a single viscosity with a slope is not enough
+for the tens of kelvins over which a bearing warms.
 """
 
 import os
-from collections.abc import Collection, Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Unpack, get_args
@@ -43,7 +46,6 @@ from analytic.scenefile.bearing import (
     has_own_balls,
     shoulder_faults,
 )
-from analytic.scenefile.by_temperature import SceneByTemperature, thermal_faults
 from analytic.scenefile.columns import OPERATING, key_of_column, operating_column, read_measured, with_oils
 from analytic.scenefile.fill import BALL, apply_rules, rivals_of
 from analytic.scenefile.find import FoundScene, find_scene, parse_text
@@ -58,6 +60,7 @@ from analytic.scenefile.keys import (
     with_key,
     without_key,
 )
+from analytic.scenefile.kinds import GivenViscosity
 from analytic.scenefile.oil import lubricant_of
 from analytic.scenefile.setting import given_values, in_si, require_nothing_beside
 from analytic.scenefile.tables import (
@@ -80,6 +83,70 @@ LEAST_CAGED = 1e-4  # m: the assumed cage of a smaller ball would be thinner tha
 NO_CAGE = "cage = none"
 SERIES = ("axial_load", "inner_speed", "radial_load", "moment")
 MOST_FAULTS = 5  # in one message; the others are counted
+
+ZERO_CELSIUS = 273.15  # K
+
+
+@dataclass(frozen=True, kw_only=True)
+class SceneByTemperature:
+    """A scene at any temperature of its oil."""
+
+    scene: Scene  # with the oil at the temperature of its file
+    origin: str  # names the file in messages
+    values: Values | None = None  # of its keys; None: a Scene of Python
+    thermal: Thermal | None = None  # None: the temperature of the oil is given
+
+    @property
+    def is_known_elsewhere(self) -> bool:
+        """Whether the oil is known at other temperatures than that of the scene."""
+        return self._oil is not None and not _is_known_at_one(self._oil)
+
+    @property
+    def _oil(self) -> Values | None:
+        """The values of a scene with oil."""
+        return self.values if self.values is not None and "lubricant" in self.values.said else None
+
+    @property
+    def fixed(self) -> Scene:
+        """The scene at the temperature of its file. Raises InputError where friction settles the temperature."""
+        if self.thermal is not None:
+            raise InputError(
+                f"{self.origin}: the scene has [thermal], so friction determines the oil temperature: leave the table "
+                "out and give lubricant.temperature, or run fembearing torque (in Python analytic.steady_scene)"
+            )
+        return self.scene
+
+    def at(self, temperature: float) -> Scene:
+        """The scene with its oil at a temperature, K.
+
+        Raises InputError for another temperature than the scene's without the table of an oil, with a viscosity that
+        replaces that of a named oil at one temperature, and beyond the oil's data.
+        """
+        if self.scene.lubricant is not None and temperature == self.scene.lubricant.temperature:
+            return self.scene
+        oil = self._oil
+        if oil is None:
+            if self.scene.lubricant is None:
+                raise InputError(f"{self.origin}: the scene has no [lubricant]; give the file of a scene with one")
+            raise InputError(f"{self.origin}: a Scene holds its oil at one temperature; give the file of the scene")
+        if _is_known_at_one(oil):
+            text = oil["lubricant.viscosity"].text
+            raise InputError(
+                f"{self.origin}: oil at {temperature - ZERO_CELSIUS:.4g} degC: lubricant.viscosity = {text} beside "
+                "lubricant.name holds at lubricant.temperature alone; give two "
+                'viscosities, as ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]'
+            )
+        try:
+            warm = lubricant_of(oil.at(temperature), ball_radius=self.scene.bearing.ball_radius)
+        except InputError as problem:
+            raise InputError(f"{self.origin}: oil at {temperature - ZERO_CELSIUS:.4g} degC: {problem}") from problem
+        return replace(self.scene, lubricant=warm)
+
+
+def _is_known_at_one(oil: Values) -> bool:
+    """Whether one viscosity replaces that of a named oil, which then has no law over the temperature."""
+    viscosity: GivenViscosity | None = oil["lubricant.viscosity"]
+    return oil["lubricant.name"] is not None and viscosity is not None and not viscosity.is_pair
 
 
 def load_scene(
@@ -120,35 +187,23 @@ def load_scene(
 
 
 def load_by_temperature(
-    scene: str | os.PathLike[str],
+    scene: str | os.PathLike[str] | Scene,
     *,
-    measured: str | os.PathLike[str] | None = None,
-    settings: Mapping[str, Any] = NOTHING_SET,
     columns: Mapping[str, Any] = NOTHING_SET,
-    **options: Unpack[OperatingOptions],
+    **given: Unpack[SceneOptions],
 ) -> SceneByTemperature:
     """The scene at any temperature of its oil; arguments and errors of `load_scene`, which refuses [thermal].
 
+    scene : also a Scene, whose oil has one temperature, and beside which nothing is given
     columns : of a file of operating points, by name, SI; with `measured` those of that file. A bearing of the catalog
         then has no usual load beside theirs.
     """
-    given, notes = given_values(settings, options)
-    found = find_scene(scene)
+    if isinstance(scene, Scene):
+        require_nothing_beside(given)
+        return SceneByTemperature(scene=scene, origin=scene.name)
+    found, measured = find_scene(scene), given.get("measured")
     points = columns if measured is None or found.bearing is None else vars(read_measured(measured))
-    return _read(found, given, notes, measured, columns=points)
-
-
-def any_by_temperature(
-    scene: str | os.PathLike[str] | Scene, *, columns: Mapping[str, Any] = NOTHING_SET, **given: Unpack[SceneOptions]
-) -> SceneByTemperature:
-    """The scene of a name, by `load_by_temperature`; or a Scene, whose oil has one temperature.
-
-    Raises InputError as that, and for an argument that goes with a name alone.
-    """
-    if not isinstance(scene, Scene):
-        return load_by_temperature(scene, columns=columns, **given)
-    require_nothing_beside(given)
-    return SceneByTemperature(scene=scene, origin=scene.name)
+    return _read(found, columns=points, **given)
 
 
 def parse_scene(
@@ -200,33 +255,42 @@ def parse_by_temperature(
 
     options : as of `load_scene`
     """
-    given, notes = given_values(settings, options)
     found = FoundScene(document=parse_text(text, origin=origin), origin=origin, folder=folder)
-    return _read(found, given, notes, measured)
+    return _read(found, measured=measured, settings=settings, **options)
+
+
+def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) -> Scene:
+    """The scene that a parsed TOML document describes; the arguments and errors of parse_scene."""
+    return _read(FoundScene(document=document, origin=origin, folder=folder)).fixed
 
 
 def _read(
     found: FoundScene,
-    given: Mapping[str, Any],
-    notes: tuple[str, ...],
-    measured: str | os.PathLike[str] | None,
     *,
+    measured: str | os.PathLike[str] | None = None,
+    settings: Mapping[str, Any] = NOTHING_SET,
     columns: Mapping[str, Any] = NOTHING_SET,
+    **options: Unpack[OperatingOptions],
 ) -> SceneByTemperature:
     """The scene of a document with what is given beside it."""
+    given, notes = given_values(settings, options)
     document, usual = whole_document(found, given, columns)
-    read = _by_temperature(
-        document, origin=found.origin, folder=found.folder, measured=measured, given={*given} if given else None
-    )
-    if read.thermal is not None and given.get("lubricant.temperature") is not None:
+    v, row = _values_of(document, found.origin)
+    scene, misfits = _scene(document, v, row, found.folder)
+    # Spreads and sources of a file need not fit the scene that what is given beside it changes.
+    counts = [each for each in misfits if not given or each[0] in given or not each[0].startswith(BESIDE)]
+    _refuse(found.origin, (fault_at(document, *each) for each in counts))
+    scene = _with_measured(scene, v, found.folder, measured)
+    thermal = v.noun(Thermal, "thermal")
+    if thermal is not None and given.get("lubricant.temperature") is not None:
         temperature = shown(given["lubricant.temperature"])
         raise InputError(
-            f"{read.origin}: lubricant.temperature = {temperature} and [thermal] both determine the oil temperature: "
+            f"{found.origin}: lubricant.temperature = {temperature} and [thermal] both determine the oil temperature: "
             "leave one of them out"
         )
-    told = {} if found.bearing is None else told_values(usual, found.bearing, read.scene, given)
-    scene = replace(read.scene, usual=read_only(told), warnings=(*read.scene.warnings, *notes))
-    return replace(read, scene=scene)
+    told = {} if found.bearing is None else told_values(usual, found.bearing, scene, given)
+    scene = replace(scene, usual=read_only(told), warnings=(*scene.warnings, *notes))
+    return SceneByTemperature(scene=scene, origin=found.origin, values=v, thermal=thermal)
 
 
 def whole_document(
@@ -265,47 +329,27 @@ def _point(columns: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, An
     return {key: value for key, value in point.items() if key not in given}
 
 
-def scene_of(
-    document: dict[str, Any],
-    *,
-    origin: str,
-    folder: Path = Path(),
-    measured: str | os.PathLike[str] | None = None,
-) -> Scene:
-    """The scene that a parsed TOML document describes; the arguments and errors of load_scene and parse_scene."""
-    return _by_temperature(document, origin=origin, folder=folder, measured=measured).fixed
-
-
-def _by_temperature(
-    document: dict[str, Any],
-    *,
-    origin: str,
-    folder: Path,
-    measured: str | os.PathLike[str] | None,
-    given: Collection[str] | None = None,
-) -> SceneByTemperature:
-    """given : keys that are given beside the document, whose spreads and sources need not fit the changed scene"""
+def _values_of(document: dict[str, Any], origin: str) -> tuple[Values, CatalogBearing | None]:
+    """The values of a document, filled by catalogue and rules, and the row of its bearing. Raises InputError."""
     table = scene_table()
     v = read_document(document, table)
-    row, misfits = None, []
+    row, unknown = None, []
     if not any(path == "bearing.catalog" for path, _, _ in v.faults):
         row = catalog_row(v)
-        misfits = [*fill_from_catalog(v, row)]
-    faults = [*faults_of(table, v), *(fault_at(document, *misfit) for misfit in misfits)]
-    if not faults:
-        scene, found = None, list(_conflicts(document, v, row))
-        if not found:
-            apply_rules(v)
-            found = [*shoulder_faults(v)]
-        if not found:
-            scene, found = _scene(document, v, row, folder)
-            found = [fault for fault in found if given is None or fault[0] in given or not fault[0].startswith(BESIDE)]
-        if scene is not None and not found:
-            read = _with_measured(scene, v, folder, measured)
-            return SceneByTemperature(scene=read, origin=origin, values=v, thermal=v.noun(Thermal, "thermal"))
-        faults = [fault_at(document, key, problem) for key, problem in found]
+        unknown = [*fill_from_catalog(v, row)]
+    _refuse(origin, [*faults_of(table, v), *(fault_at(document, *each) for each in unknown)])
+    _refuse(origin, (fault_at(document, *each) for each in _conflicts(document, v, row)))
+    apply_rules(v)
+    _refuse(origin, (fault_at(document, *each) for each in shoulder_faults(v)))
+    return v, row
+
+
+def _refuse(origin: str, given: Iterable[str]) -> None:
+    """Raise InputError for faults, if there are any."""
+    faults = [*given]
     more = f"; and {len(faults) - MOST_FAULTS} more" if len(faults) > MOST_FAULTS else ""
-    raise InputError(f"{origin}: " + "; ".join(faults[:MOST_FAULTS]) + more)
+    if faults:
+        raise InputError(f"{origin}: " + "; ".join(faults[:MOST_FAULTS]) + more)
 
 
 def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) -> Iterator[tuple[str, str]]:
@@ -347,7 +391,7 @@ def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) 
         yield "friction.coefficient", problem
     if "surface" in v.said:
         yield from surface_conflicts(v)
-    yield from thermal_faults(v)
+    yield from _thermal_faults(v)
     if "lubricant" in v.said:
         try:
             lubricant_of(v, ball_radius=v["bearing.ball_diameter"] / 2)
@@ -356,6 +400,21 @@ def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) 
     for name in ("cage", "cage_dynamics", "ball_dynamics"):
         if not (has_cage or _assumes_cage(v, row)) and v[f"effects.{name}"] == "on":
             yield f"effects.{name}", "needs a table [cage]; give one, or leave the effect out"
+
+
+def _thermal_faults(v: Values) -> Iterator[tuple[str, str]]:
+    """(key, problem) of a scene with [thermal] whose oil is not known at other temperatures."""
+    viscosity: GivenViscosity | None = v["lubricant.viscosity"]
+    if "thermal" not in v.said:
+        return
+    if "lubricant" not in v.said:
+        yield "thermal", "warms the oil, and the scene has no [lubricant]; add one, or leave [thermal] out"
+    elif viscosity is not None and not viscosity.is_pair:
+        yield (
+            "lubricant.viscosity",
+            "is known at one temperature alone, and [thermal] changes the temperature; give two viscosities, as "
+            '["46 cSt at 40 degC", "6.8 cSt at 100 degC"], or name = "ISO VG 46" in its place',
+        )
 
 
 def _seating(v: Values, row: CatalogBearing | None) -> Iterator[tuple[float, float]]:

@@ -17,7 +17,7 @@ from fembearing.cli.status import print_warnings
 
 if TYPE_CHECKING:
     from analytic.scene import Scene
-    from analytic.scenefile.by_temperature import SceneByTemperature
+    from analytic.scenefile.read import SceneByTemperature
 
 BUILTIN = "paper_6205"
 STANDARD_INPUT = "-"  # as the name of a scene
