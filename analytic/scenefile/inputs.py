@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.declared import Whole
+from analytic.declared import Whole, read_only
 from analytic.errors import InputError
 from analytic.rows import NotNegative
 from analytic.scene import LOSS_SPREAD, Bearing, Cage, Groove, Material, Origin, Scene, Status
@@ -143,32 +143,25 @@ def checked_deviation(key: str, value: float, deviation: float) -> float:
     return deviation
 
 
-def given_spreads(values: Values, scene: Scene) -> tuple[dict[str, float], list[tuple[str, str]]]:
-    """Standard deviations by key, SI, and (key, problem) for those that do not fit the scene."""
-    spreads, misfits = {}, []
+def with_spreads(v: Values, scene: Scene) -> Scene:
+    """The scene with its [uncertainty] and [assumed]; what does not fit it is noted in the values."""
+    spreads: dict[str, float] = {}
     for key in UNCERTAIN:
-        given: GivenSpread | None = values[f"uncertainty.{key}"]
-        if given is None:
-            continue
-        value = uncertain_value(scene, key)
-        if value is None:
+        given: GivenSpread | None = v[f"uncertainty.{key}"]
+        value = None if given is None else uncertain_value(scene, key)
+        if given is not None and value is not None:
+            try:
+                spreads[key] = checked_deviation(key, value, given.value * value if given.is_share else given.value)
+            except InputError as problem:
+                v.misfits.append((f"uncertainty.{key}", str(problem).partition(": ")[2]))
+        elif given is not None:
             problem = "is of an input that this scene lacks or its torque does not depend on; leave it out"
-            misfits.append((f"uncertainty.{key}", problem))
-            continue
-        try:
-            deviation = given.value * value if given.is_share else given.value
-            spreads[key] = checked_deviation(key, value, deviation)
-        except InputError as problem:
-            misfits.append((f"uncertainty.{key}", str(problem).partition(": ")[2]))
-    return spreads, misfits
-
-
-def given_assumptions(values: Values, scene: Scene) -> tuple[dict[str, str], list[tuple[str, str]]]:
-    """Sources by key, and (key, problem) for those of an input that the scene does not have."""
-    sources = {key: source for key in ASSUMABLE if (source := values[f"assumed.{key}"]) is not None}
+            v.misfits.append((f"uncertainty.{key}", problem))
     known = known_inputs(scene)
+    sources = {key: source for key in ASSUMABLE if (source := v[f"assumed.{key}"]) is not None}
     problem = "is of an input that this scene does not have; leave it out"
-    return sources, [(f"assumed.{key}", problem) for key in sources if key not in known]
+    v.misfits += [(f"assumed.{key}", problem) for key in sources if key not in known]
+    return replace(scene, uncertainty=read_only(spreads), assumed=read_only(sources))
 
 
 def _stated(scene: Scene, table: object, key: str) -> float | str | None:

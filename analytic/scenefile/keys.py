@@ -11,6 +11,7 @@ from difflib import get_close_matches
 from functools import cache
 from typing import Annotated, Any, get_args
 
+from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.declared import (
     AS_IN_PYTHON,
     FILLED,
@@ -230,12 +231,15 @@ def _spread(key: str, floor: float | None, root: Table) -> Spread:
 class Values(dict[str, Any]):
     """Values of a scene by key, SI; of a key that is not there its default, None without one."""
 
-    def __init__(self) -> None:
+    def __init__(self, document: Mapping[str, Any]) -> None:
         super().__init__()
+        self.document = document
         self.said: set[str] = set()  # keys and tables of the document
         self.faults: list[tuple[str, Any, str]] = []  # (path, value, problem)
         self.unknown: list[tuple[Table, str, Any]] = []  # (table, name, value) of keys that there are not
+        self.misfits: list[tuple[str, str]] = []  # (path, problem) of values that do not fit together
         self.origins: dict[str, Origin] = {}  # of what rules gave
+        self.row: CatalogBearing | None = None  # of the catalogue, whose bearing it is
 
     def __missing__(self, path: str) -> Any:
         key = scene_table().find(path)
@@ -275,7 +279,7 @@ class Values(dict[str, Any]):
 
 def read_document(document: Mapping[str, Any], table: Table) -> Values:
     """The values of a document, with its faults."""
-    values = Values()
+    values = Values(document)
     _read(table, document, values)
     return values
 

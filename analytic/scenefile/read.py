@@ -17,7 +17,6 @@ from typing import Any, Unpack, get_args
 
 import numpy as np
 
-from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.declared import read_only
 from analytic.errors import InputError
 from analytic.given import OperatingOptions, SceneOptions
@@ -32,7 +31,6 @@ from analytic.scene import (
     Losses,
     Operation,
     Scene,
-    Surface,
     Thermal,
 )
 from analytic.scenefile import fit
@@ -40,7 +38,6 @@ from analytic.scenefile.bearing import (
     BALLS,
     bearing_faults,
     bearing_of,
-    catalog_row,
     fill_from_catalog,
     has_other_balls,
     has_own_balls,
@@ -49,7 +46,7 @@ from analytic.scenefile.bearing import (
 from analytic.scenefile.columns import OPERATING, key_of_column, operating_column, read_measured, with_oils
 from analytic.scenefile.fill import BALL, apply_rules, rivals_of
 from analytic.scenefile.find import FoundScene, find_scene, parse_text
-from analytic.scenefile.inputs import given_assumptions, given_spreads
+from analytic.scenefile.inputs import with_spreads
 from analytic.scenefile.keys import (
     BESIDE,
     Values,
@@ -275,11 +272,11 @@ def _read(
     """The scene of a document with what is given beside it."""
     given, notes = given_values(settings, options)
     document, usual = whole_document(found, given, columns)
-    v, row = _values_of(document, found.origin)
-    scene, misfits = _scene(document, v, row, found.folder)
+    v = _values_of(document, found.origin)
+    scene = _scene(v, found.folder)
     # Spreads and sources of a file need not fit the scene that what is given beside it changes.
-    counts = [each for each in misfits if not given or each[0] in given or not each[0].startswith(BESIDE)]
-    _refuse(found.origin, (fault_at(document, *each) for each in counts))
+    counts = [each for each in v.misfits if not given or each[0] in given or not each[0].startswith(BESIDE)]
+    _refuse(found.origin, v, counts)
     scene = _with_measured(scene, v, found.folder, measured)
     thermal = v.noun(Thermal, "thermal")
     if thermal is not None and given.get("lubricant.temperature") is not None:
@@ -329,30 +326,28 @@ def _point(columns: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, An
     return {key: value for key, value in point.items() if key not in given}
 
 
-def _values_of(document: dict[str, Any], origin: str) -> tuple[Values, CatalogBearing | None]:
-    """The values of a document, filled by catalogue and rules, and the row of its bearing. Raises InputError."""
+def _values_of(document: dict[str, Any], origin: str) -> Values:
+    """The values of a document, filled by catalogue and rules. Raises InputError for what is wrong with them."""
     table = scene_table()
     v = read_document(document, table)
-    row, unknown = None, []
     if not any(path == "bearing.catalog" for path, _, _ in v.faults):
-        row = catalog_row(v)
-        unknown = [*fill_from_catalog(v, row)]
-    _refuse(origin, [*faults_of(table, v), *(fault_at(document, *each) for each in unknown)])
-    _refuse(origin, (fault_at(document, *each) for each in _conflicts(document, v, row)))
+        fill_from_catalog(v)
+    _refuse(origin, v, v.misfits, faults=faults_of(table, v))
+    _refuse(origin, v, _conflicts(v))
     apply_rules(v)
-    _refuse(origin, (fault_at(document, *each) for each in shoulder_faults(v)))
-    return v, row
+    _refuse(origin, v, shoulder_faults(v))
+    return v
 
 
-def _refuse(origin: str, given: Iterable[str]) -> None:
-    """Raise InputError for faults, if there are any."""
-    faults = [*given]
-    more = f"; and {len(faults) - MOST_FAULTS} more" if len(faults) > MOST_FAULTS else ""
-    if faults:
-        raise InputError(f"{origin}: " + "; ".join(faults[:MOST_FAULTS]) + more)
+def _refuse(origin: str, v: Values, misfits: Iterable[tuple[str, str]], *, faults: Iterable[str] = ()) -> None:
+    """Raise InputError for faults in words, and for (key, problem) of values, if there are any."""
+    said = [*faults, *(fault_at(v.document, *each) for each in misfits)]
+    more = f"; and {len(said) - MOST_FAULTS} more" if len(said) > MOST_FAULTS else ""
+    if said:
+        raise InputError(f"{origin}: " + "; ".join(said[:MOST_FAULTS]) + more)
 
 
-def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) -> Iterator[tuple[str, str]]:
+def _conflicts(v: Values) -> Iterator[tuple[str, str]]:
     """(key, problem) of keys that are valid on their own and in conflict with each other."""
     rule, value, tilt = (
         v[key] for key in ("bearing.contact_angle.rule", "bearing.contact_angle.value", "operation.tilt")
@@ -363,16 +358,15 @@ def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) 
         yield "bearing.contact_angle.free", 'goes with rule = "solved"; leave it out'
     if rule == "solved" and value is not None:
         yield "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
-    yield from bearing_faults(v, row)
+    yield from bearing_faults(v)
     yield from installation_faults(v)
     if isinstance(tilt, float) and "operation.moment" in v.said:
         yield "operation.tilt", "holds the ring, and operation.moment tilts it; leave one of them out"
     if tilt not in (None, "free", 0.0) and rule == "given":
         yield "operation.tilt", 'changes the contact angles, which rule = "given" holds; use "solved", or leave it out'
-    given = {name: v[f"operation.{name}"] for name in document["operation"] if name not in ("down", "tilt")}
-    lists = {
-        name: each for name, each in given.items() if len(each) > 1 or isinstance(document["operation"][name], list)
-    }
+    given = {name: each for name, each in v.document["operation"].items() if name not in ("down", "tilt")}
+    lists = {name: v[f"operation.{name}"] for name in given}
+    lists = {name: each for name, each in lists.items() if len(each) > 1 or isinstance(given[name], list)}
     if len({len(each) for each in lists.values()}) > 1:
         counts = " and ".join(f"operation.{name} has {len(each)}" for name, each in lists.items())
         yield "", f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"
@@ -382,7 +376,7 @@ def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) 
         if not is_preloaded and not all(any(point) for point in points):
             problem = 'leaves a point without any load; give for example "1000 N", or a radial load or a moment'
             yield "operation.axial_load", problem
-        yield from (("operation.axial_load", problem) for problem in _apart(v, row))
+        yield from (("operation.axial_load", problem) for problem in _apart(v))
     has_cage = "cage" in v.said
     if has_cage and (v["cage.pocket_clearance"] is None) == (v["cage.pocket_diameter"] is None):
         yield "", "cage needs exactly one of pocket_clearance and pocket_diameter"
@@ -398,7 +392,7 @@ def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) 
         except InputError as problem:
             yield "", str(problem)
     for name in ("cage", "cage_dynamics", "ball_dynamics"):
-        if not (has_cage or _assumes_cage(v, row)) and v[f"effects.{name}"] == "on":
+        if not (has_cage or _assumes_cage(v)) and v[f"effects.{name}"] == "on":
             yield f"effects.{name}", "needs a table [cage]; give one, or leave the effect out"
 
 
@@ -417,26 +411,26 @@ def _thermal_faults(v: Values) -> Iterator[tuple[str, str]]:
         )
 
 
-def _seating(v: Values, row: CatalogBearing | None) -> Iterator[tuple[float, float]]:
+def _seating(v: Values) -> Iterator[tuple[float, float]]:
     """(thrust, radial load times tan(angle)), N, of each point of a single angular contact bearing of the catalogue."""
-    if row is None or row.nominal_angle is None or "arrangement" in v.said:
+    if v.row is None or v.row.nominal_angle is None or "arrangement" in v.said:
         return
-    tangent = float(np.tan(row.nominal_angle))
+    tangent = float(np.tan(v.row.nominal_angle))
     for thrust, side in np.broadcast(v["operation.axial_load"], v["operation.radial_load"]):
         yield float(thrust), abs(float(side)) * tangent
 
 
-def _apart(v: Values, row: CatalogBearing | None) -> Iterator[str]:
+def _apart(v: Values) -> Iterator[str]:
     """Why a radial load alone is none that a single angular contact bearing carries."""
-    alone = [spread for thrust, spread in _seating(v, row) if spread and not thrust]
+    alone = [spread for thrust, spread in _seating(v) if spread and not thrust]
     if alone:
         needed = float(f"{SEATED * max(alone):.3g}")
         yield f"lets an angular contact bearing slide apart; give some {needed:g} N of thrust, or an [arrangement]"
 
 
-def _loose(v: Values, row: CatalogBearing | None) -> Iterator[str]:
+def _loose(v: Values) -> Iterator[str]:
     """A warning where too little thrust loads fewer than half of the balls."""
-    if any(thrust < HALF_SEATED * spread for thrust, spread in _seating(v, row)):
+    if any(thrust < HALF_SEATED * spread for thrust, spread in _seating(v)):
         yield (
             f"the thrust loads fewer than half of the balls of this angular contact bearing: {HALF_SEATED:g} times the "
             "radial load times tan(contact angle) loads half of them where the ring is held straight, "
@@ -450,67 +444,50 @@ def _is_free(v: Values) -> bool:
     return tilt == "free" or (tilt is None and "operation.moment" in v.said)
 
 
-def _scene(
-    document: dict[str, Any], v: Values, row: CatalogBearing | None, folder: Path
-) -> tuple[Scene, list[tuple[str, str]]]:
-    """The scene, and (key, problem) for everything in it that does not fit together."""
-    bearing = bearing_of(v, row)
-    if row is not None and row.other_candidate is not None and row.grade == "C" and not has_own_balls(v):
-        others = read_document(document, scene_table())
-        others |= dict(zip((f"bearing.{key}" for key in BALLS), row.other_candidate, strict=True))
-        list(fill_from_catalog(others, row))
+def _scene(v: Values, folder: Path) -> Scene:
+    """The scene; what in it does not fit together is noted in the values."""
+    bearing = bearing_of(v)
+    if v.row is not None and v.row.other_candidate is not None and v.row.grade == "C" and not has_own_balls(v):
+        others = read_document(v.document, scene_table())
+        others |= dict(zip((f"bearing.{key}" for key in BALLS), v.row.other_candidate, strict=True))
+        fill_from_catalog(others)
         apply_rules(others)
-        bearing = replace(bearing, other_candidate=bearing_of(others, row))
+        bearing = replace(bearing, other_candidate=bearing_of(others))
     angle = ContactAngle(**v.fields(ContactAngle, "bearing.contact_angle"))
     if bearing.kind == "thrust":
         angle = ContactAngle(rule="given", value=np.pi / 2)
     own = {path.removeprefix("bearing.") for path in v.said if path.startswith("bearing.")}
-    misfits = list(fit.bearing_misfits(bearing, gap_key=_gap_key(v), own=own))
-    delivered, clearances = bearing, None
-    if "mounting" in v.said and not misfits:
-        bearing, clearances, problems = in_operation(bearing, v)
-        misfits += problems
-    arrangement, unplaced = None, []
-    if "arrangement" in v.said and not misfits:
-        arrangement, unplaced = arranged(v, bearing, angle)
-    cage = None
-    if not misfits:
-        misfits += fit.angle_misfits(bearing, angle) if bearing.kind == "radial" else ()
-        cage, unfit = _cage_of(v, delivered, row)
-        misfits += unfit
-    surface, unread = _surface(v, folder)
-    is_lubricated = "lubricant" in v.said
-    misfits += [*unread, *fit.surface_misfits(surface, bearing, cage, is_lubricated=is_lubricated)]
-    losses = Losses()
-    if not misfits:
+    v.misfits += fit.bearing_misfits(bearing, gap_key=_gap_key(v), own=own)
+    delivered, clearances, cage, losses = bearing, None, None, Losses()
+    if "mounting" in v.said and not v.misfits:
+        bearing, clearances = in_operation(bearing, v)
+    fits = not v.misfits
+    if fits:
+        v.misfits += fit.angle_misfits(bearing, angle) if bearing.kind == "radial" else ()
+        cage = _cage_of(v, delivered)
+    surface, is_lubricated = surface_of(v, folder), "lubricant" in v.said
+    v.misfits += fit.surface_misfits(surface, bearing, cage, is_lubricated=is_lubricated)
+    if not v.misfits:
         try:
-            losses = losses_of(v, delivered, row)
+            losses = losses_of(v, delivered)
         except InputError as problem:
-            misfits.append(("losses.seals", f"is refused: {problem}"))
+            v.misfits.append(("losses.seals", f"is refused: {problem}"))
     parts = {
         "bearing": bearing,
         "contact_angle": angle,
         "clearances": clearances,
-        "arrangement": arrangement,
+        "arrangement": arranged(v, bearing, angle) if "arrangement" in v.said and fits else None,
         "operation": _operation(v),
         "down": v["operation.down"],
         "cage": cage,
         "lubricant": lubricant_of(v, ball_radius=bearing.ball_diameter / 2) if is_lubricated else None,
         "surface": surface,
         "losses": losses,
-        "effects": _effects(v, has_no_cage=cage is None and (row is not None or NO_CAGE in v.said)),
-        "warnings": (*_of_designation(v, row), *_loose(v, row), *fit.warnings(bearing, cage)),
+        "effects": _effects(v, has_no_cage=cage is None and (v.row is not None or NO_CAGE in v.said)),
+        "warnings": (*_of_designation(v), *_loose(v), *fit.warnings(bearing, cage)),
     }
     scene = Scene(**v.fields(Scene, "", **parts))
-    return (scene, [*misfits, *unplaced]) if misfits or unplaced else _with_spreads(v, scene)
-
-
-def _with_spreads(v: Values, scene: Scene) -> tuple[Scene, list[tuple[str, str]]]:
-    """The scene with its [uncertainty] and [assumed], and what in these does not fit."""
-    spreads, unfitting = given_spreads(v, scene)
-    sources, unmatched = given_assumptions(v, scene)
-    scene = replace(scene, uncertainty=read_only(spreads), assumed=read_only(sources))
-    return scene, [*unfitting, *unmatched]
+    return scene if v.misfits else with_spreads(v, scene)
 
 
 def _effects(v: Values, *, has_no_cage: bool) -> Mapping[str, Decision]:
@@ -518,24 +495,11 @@ def _effects(v: Values, *, has_no_cage: bool) -> Mapping[str, Decision]:
     return read_only(effects | ({"cage": "off"} if has_no_cage else {}))
 
 
-def _of_designation(v: Values, row: CatalogBearing | None) -> Iterator[str]:
+def _of_designation(v: Values) -> Iterator[str]:
     """The warnings of the catalogue's row, without those on balls that the scene replaces."""
-    if row is not None:
-        replaced = row.ball_warnings if has_other_balls(v, row) else ()
-        yield from (warning for warning in row.warnings if warning not in replaced)
-
-
-def _surface(v: Values, folder: Path) -> tuple[Surface | None, list[tuple[str, str]]]:
-    """The surface, and (key, problem) for a height map that cannot be read."""
-    if "surface" not in v.said:
-        return None, []
-    try:
-        surface = surface_of(v, folder)
-    except InputError as problem:
-        return None, [("surface.height_map.path", str(problem))]
-    if surface.height_map is None or os.path.isfile(surface.height_map.path):
-        return surface, []
-    return None, [("surface.height_map.path", "is not a file; give its path from the scene file's folder")]
+    if v.row is not None:
+        replaced = v.row.ball_warnings if has_other_balls(v) else ()
+        yield from (warning for warning in v.row.warnings if warning not in replaced)
 
 
 def _with_measured(scene: Scene, v: Values, folder: Path, given: str | os.PathLike[str] | None) -> Scene:
@@ -554,31 +518,32 @@ def _gap_key(v: Values) -> str:
     return next((key for key in keys if v[key] is not None), fit.BOTTOM)
 
 
-def _assumes_cage(v: Values, row: CatalogBearing | None) -> bool:
+def _assumes_cage(v: Values) -> bool:
     """Whether the scene says nothing of the cage of a bearing of the catalogue, nor of its pockets."""
-    return row is not None and not {"cage", NO_CAGE, "losses.pockets"} & v.said
+    return v.row is not None and not {"cage", NO_CAGE, "losses.pockets"} & v.said
 
 
-def _cage_of(v: Values, bearing: Bearing, row: CatalogBearing | None) -> tuple[Cage | None, list[tuple[str, str]]]:
-    """The cage of a bearing as it is delivered, and (key, problem) for what does not fit.
+def _cage_of(v: Values, bearing: Bearing) -> Cage | None:
+    """The cage of a bearing as it is delivered.
 
     One that is assumed fits, and rests on its balls; None where the balls leave no web, or are tiny.
     """
-    if _assumes_cage(v, row):
-        sizes = assumed_cage(bearing, () if row is None else row.suffixes.values())
+    if _assumes_cage(v):
+        sizes = assumed_cage(bearing, () if v.row is None else v.row.suffixes.values())
         if not sizes or bearing.ball_diameter < LEAST_CAGED:
-            return None, []
+            return None
         usual = read_document({"cage": in_si(sizes | {"friction_coefficient": FRICTION}, "cage")}, scene_table())
         usual[BALL] = bearing.ball_diameter
         apply_rules(usual)
-        return replace(_cage(usual, assumed=ORIGINS), gives_way=True), []
+        return replace(_cage(usual, assumed=ORIGINS), gives_way=True)
     if "cage" not in v.said:
-        return None, []
+        return None
     own = {path.removeprefix("cage.") for path in v.said}
-    cage = _cage(v, assumed=() if row is None else {*ORIGINS} - own)
+    cage = _cage(v, assumed=() if v.row is None else {*ORIGINS} - own)
     pocket = "pocket_clearance" if "cage.pocket_clearance" in v else "pocket_diameter"
     overlaps = v["cage.variant"] == AS_PRINTED
-    return cage, [*fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)]
+    v.misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
+    return cage
 
 
 def _cage(v: Values, *, assumed: Collection[str]) -> Cage:

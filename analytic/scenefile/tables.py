@@ -10,7 +10,6 @@ from dataclasses import replace
 from math import sqrt
 from pathlib import Path
 
-from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.catalog.seals import seal_spread, seal_torque, seal_type
 from analytic.declared import read_only
 from analytic.errors import InputError
@@ -50,10 +49,11 @@ def installation_faults(v: Values) -> Iterator[tuple[str, str]]:
 
 def _washer_faults(v: Values) -> Iterator[tuple[str, str]]:
     """The same for tables that a thrust bearing does not take."""
-    for key in {"mounting", "arrangement"} & v.said:
-        yield key, "is not modelled for a thrust bearing; leave the table out"
-    for key in {"cage.start", "cage.land"} & v.said:
-        yield key, "is not modelled in a thrust bearing, whose cage rests on its balls; leave it out"
+    for keys, why in (
+        (("mounting", "arrangement"), "for a thrust bearing; leave the table out"),
+        (("cage.start", "cage.land"), "in a thrust bearing, whose cage rests on its balls; leave it out"),
+    ):
+        yield from ((key, f"is not modelled {why}") for key in keys if key in v.said)
     if v["operation.tilt"] not in (None, "free", 0.0):
         yield "operation.tilt", "is not modelled for a thrust bearing, whose washers are parallel; leave it out"
     for key in ("operation.radial_load", "operation.moment"):
@@ -61,40 +61,38 @@ def _washer_faults(v: Values) -> Iterator[tuple[str, str]]:
             yield key, "is not modelled for a thrust bearing, which carries axial_load alone; leave it out"
 
 
-def in_operation(bearing: Bearing, v: Values) -> tuple[Bearing, Clearances | None, list[tuple[str, str]]]:
-    """The bearing on its seats, its clearances, and (path of the key, problem) for what cannot be.
-
-    Rings without a temperature stay as they were mounted.
-    """
+def in_operation(bearing: Bearing, v: Values) -> tuple[Bearing, Clearances | None]:
+    """The bearing on its seats, and its clearances; rings without a temperature stay as they were mounted."""
     mounting = Mounting(**v.fields(Mounting, "mounting"))
-    problems = list(mounting_faults(bearing, mounting))
-    if problems:
-        return bearing, None, problems
+    v.misfits += mounting_faults(bearing, mounting)
+    if v.misfits:
+        return bearing, None
     warm, clearances = mounted(bearing, mounting)
     if bearing.other_candidate is not None:
         warm = replace(warm, other_candidate=mounted(bearing.other_candidate, mounting)[0])
-    misfits = bearing_misfits(warm)
-    return (
-        warm,
-        clearances,
-        [("mounting", f"leads to a bearing in operation whose {key} {why}") for key, why in misfits],
-    )
+    for key, why in bearing_misfits(warm):
+        v.misfits.append(("mounting", f"leads to a bearing in operation whose {key} {why}"))
+    return warm, clearances
 
 
-def arranged(v: Values, bearing: Bearing, angle: ContactAngle) -> tuple[Arrangement | None, list[tuple[str, str]]]:
-    """The pair of [arrangement], and (path of the key, problem) for what is missing or cannot be."""
+def arranged(v: Values, bearing: Bearing, angle: ContactAngle) -> Arrangement | None:
+    """The pair of [arrangement]; None: its table has conflicts."""
     try:
         arrangement = Arrangement(**v.fields(Arrangement, "arrangement"))
     except InputError as problem:
         key, _, words = str(problem).partition(" ")
-        return None, [(key, words)]
+        v.misfits.append((key, words))
+        return None
     width, distance = bearing.width, arrangement.distance
     if distance is None and width is None:
-        return arrangement, [("arrangement.distance", "is missing: give it or bearing.width, which it is by default")]
-    if distance is not None and width is not None and distance < width:
-        least = f"bearing.width {width * 1e3:.6g} mm"
-        return arrangement, [("arrangement.distance", f"must be at least {least}, else the rings overlap")]
-    return arrangement, list(arrangement_misfits(bearing, angle, arrangement))
+        problem = "is missing: give it or bearing.width, which it is by default"
+        v.misfits.append(("arrangement.distance", problem))
+    elif distance is not None and width is not None and distance < width:
+        problem = f"must be at least bearing.width {width * 1e3:.6g} mm, else the rings overlap"
+        v.misfits.append(("arrangement.distance", problem))
+    else:
+        v.misfits += arrangement_misfits(bearing, angle, arrangement)
+    return arrangement
 
 
 def _mounting_faults(v: Values) -> Iterator[tuple[str, str]]:
@@ -153,11 +151,24 @@ def surface_conflicts(v: Values) -> Iterator[tuple[str, str]]:
             yield "surface.height_map.spacing", 'is missing; give that of the points, for example "2 um"'
 
 
-def surface_of(v: Values, folder: Path) -> Surface:
-    """The surface that the table describes; folder : that the path of a height map starts from.
-
-    Raises InputError for a .x3p file that cannot be read: its spacing stands in it.
-    """
+def surface_of(v: Values, folder: Path) -> Surface | None:
+    """The surface that the table describes, if there is one; folder : that the path of a height map starts from."""
+    if "surface" not in v.said:
+        return None
+    height_map = None
+    if v["surface.height_map.path"] is not None:
+        path, spacing = folder / v["surface.height_map.path"], v["surface.height_map.spacing"]
+        try:  # the spacing stands in a .x3p file
+            height_map = HeightMapFile(
+                path=str(path), spacing=x3p_shape_and_spacing(path)[1] if spacing is None else spacing
+            )
+        except InputError as problem:
+            v.misfits.append(("surface.height_map.path", str(problem)))
+            return None
+        if not path.is_file():
+            problem = "is not a file; give its path from the scene file's folder"
+            v.misfits.append(("surface.height_map.path", problem))
+            return None
     roughness: float | None = v["surface.rms_roughness"]
     correlation: Autocorrelation | None = v.noun(Autocorrelation, "surface.autocorrelation")
     given = {key: GIVEN for key in ROUGHNESSES if f"surface.{key}" in v.said}
@@ -173,29 +184,22 @@ def surface_of(v: Values, folder: Path) -> Surface:
             Surface,
             "surface",
             autocorrelation=assumed if correlation is None else correlation,
-            height_map=_height_map(v, folder) if "surface.height_map" in v.said else None,
+            height_map=height_map,
             asperities=v["surface.asperities"] or Surface.asperities,
             origins=read_only(origins),
         )
     )
 
 
-def _height_map(v: Values, folder: Path) -> HeightMapFile:
-    path, spacing = folder / v["surface.height_map.path"], v["surface.height_map.spacing"]
-    return HeightMapFile(path=str(path), spacing=x3p_shape_and_spacing(path)[1] if spacing is None else spacing)
-
-
 SHOULDER = 0.2  # height over the ball diameter, where the catalogue has none: usual
 
 
-def losses_of(v: Values, bearing: Bearing, row: CatalogBearing | None) -> Losses:
-    """The losses of [losses]; row : of the catalogue, whose designation names the seals.
-
-    Raises InputError for an estimate of seals that nobody names.
-    """
+def losses_of(v: Values, bearing: Bearing) -> Losses:
+    """The losses of [losses] of a bearing as it is delivered. Raises InputError for seals that nobody names."""
     seals = v["losses.seals"]
     if isinstance(seals, float) or seals == "off" or (seals is None and not bearing.seals_rub):
         return Losses(**v.fields(Losses, "losses", seals=0.0 if seals == "off" else seals))
+    row = v.row
     if row is None:
         raise InputError('it needs seals by a designation of the catalogue, for example catalog = "6205-2RS1"')
     inner = bearing.inner
