@@ -11,7 +11,7 @@ with the place, the value and what is accepted.
 import csv
 import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from typing import Any, NamedTuple
@@ -51,14 +51,7 @@ class Column(NamedTuple):
     name: str
     unit: str  # as it is written
     dimension: Dimension
-    is_share: bool  # whether it is a share of another column
-
-
-class Row(NamedTuple):
-    """A row of the file."""
-
-    place: str  # in words
-    values: dict[str, float]  # by column, SI
+    is_share: bool  # of the required column
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,6 +64,7 @@ class Columns:
     where: str  # what the operating columns say, "where the torques were measured"
     example: tuple[str, ...]  # names for the head of a file
     shares: Mapping[str, Dimension] = field(default_factory=nothing)  # by name: columns that may be in per cent
+    fault: Callable[[Mapping[str, float]], str | None] = lambda _: None  # what is wrong with a row, SI
 
     @property
     def remedy(self) -> str:
@@ -81,12 +75,14 @@ class Columns:
         """The head of a column, as people write it."""
         return f"{name} [{self.known[name].shown_unit}]"
 
-    def read(self, path: str | os.PathLike[str]) -> tuple[list[Column], list[Row]]:
-        """Columns and rows of a file.
+    def read(self, path: str | os.PathLike[str]) -> dict[str, Any]:
+        """The name of a file, `file`, and its columns, each (n,) in SI.
 
         Raises InputError, in one line that begins with the path, for a file that cannot be read, for a column that is
-        unknown, missing, there twice or without its unit, and for a row with a value too few, too many or out of range.
+        unknown, missing, there twice or without its unit, and for a row with a value too few, too many, out of range or
+        that does not fit the others.
         """
+        file = plain(os.fspath(path))
         text = read_text(path, kind="CSV", remedy=self.remedy)
         try:
             heads, lines = self._lines(text)
@@ -94,11 +90,12 @@ class Columns:
             if not lines:
                 raise ValueError(f"has a line of column heads and no row below it; give a line for each {self.row}")
             rows = [
-                _row(f"row {row} (line {number})", columns, cells) for row, (number, cells) in enumerate(lines, start=1)
+                self._row(f"row {row} (line {number})", columns, cells)
+                for row, (number, cells) in enumerate(lines, start=1)
             ]
         except ValueError as problem:
-            raise InputError(f"{plain(os.fspath(path))}: {problem}") from None
-        return columns, rows
+            raise InputError(f"{file}: {problem}") from None
+        return {"file": file, **{each.name: np.array([row[each.name] for row in rows]) for each in columns}}
 
     def _lines(self, text: str) -> tuple[list[str], list[tuple[int, list[str]]]]:
         """The heads, and the cells of each line with its number. Raises ValueError."""
@@ -161,14 +158,17 @@ class Columns:
             ) from None
         return Column(name, unit, dimension, is_share)
 
-
-def _row(place: str, columns: Sequence[Column], cells: Sequence[str]) -> Row:
-    """The numbers of a row. Raises ValueError."""
-    if len(cells) != len(columns):
-        remedy = "write decimal points, not commas" if len(cells) > len(columns) else "give one for each"
-        count = f"{len(cells)} value{'' if len(cells) == 1 else 's'}"
-        raise ValueError(f"{place} has {count}, and there are {len(columns)} columns; {remedy}")
-    return Row(place, {each.name: _value(each, cell, place) for each, cell in zip(columns, cells, strict=True)})
+    def _row(self, place: str, columns: Sequence[Column], cells: Sequence[str]) -> dict[str, float]:
+        """The numbers of a row by column, SI. Raises ValueError."""
+        if len(cells) != len(columns):
+            remedy = "write decimal points, not commas" if len(cells) > len(columns) else "give one for each"
+            count = f"{len(cells)} value{'' if len(cells) == 1 else 's'}"
+            raise ValueError(f"{place} has {count}, and there are {len(columns)} columns; {remedy}")
+        row = {each.name: _value(each, cell, place) for each, cell in zip(columns, cells, strict=True)}
+        row |= {each.name: row[each.name] * row[self.required] for each in columns if each.is_share}
+        if fault := self.fault(row):
+            raise ValueError(f"{place}: {fault}")
+        return row
 
 
 def _value(column: Column, cell: str, place: str) -> float:
@@ -218,46 +218,62 @@ class Magnitude(Dimension):
         return super().read(given)
 
 
+def _unfit(row: Mapping[str, float]) -> str | None:
+    torque, uncertainty = row["torque"], row.get("uncertainty", 0.0)
+    if row.get("inner_speed") == 0:
+        return "inner_speed = 0: nothing turns; give the speed, or leave the row out"
+    if uncertainty <= torque:
+        return None
+    return (
+        f"uncertainty = {torque_of(uncertainty)} is larger than the torque, {torque_of(torque)}; give the standard "
+        "uncertainty of the measured torque (k = 1)"
+    )
+
+
+OF_OPERATION = {name: operating_column(name) for name in OPERATING}
 TORQUE = Magnitude(unit="N m", low=1e-12, high=1e6, example='"35.1 N mm"')
-OF_MEASURED = Columns(
-    known={
-        **{name: operating_column(name) for name in OPERATING},
-        "torque": TORQUE,
-        "uncertainty": Dimension(unit="N m", low=0.0, high=TORQUE.high, example='"0.8 N mm"'),
-    },
+SPREAD = Dimension(unit="N m", low=0.0, high=TORQUE.high, example='"0.8 N mm"')
+MEASURED = Columns(
+    known={**OF_OPERATION, "torque": TORQUE, "uncertainty": SPREAD},
     required="torque",
     row="measured torque",
     where="where the torques were measured",
     example=("inner_speed", "torque", "uncertainty"),
-    shares=read_only({"uncertainty": Dimension(unit="", low=0, high=1, example='"2 %"')}),  # over its torque
+    shares=read_only({"uncertainty": Dimension(unit="", low=0, high=1, example='"2 %"')}),
+    fault=_unfit,
+)
+CYCLE = Columns(
+    known={"duration": Dimension(unit="s", low=1e-9, high=1e10, example='"20 s"'), **OF_OPERATION},
+    required="duration",
+    row="duty step",
+    where="what runs in its steps",
+    example=("duration", "inner_speed"),
 )
 
 
+@dataclass(frozen=True, kw_only=True)
+class Cycle:
+    """The steps of a duty cycle, each array (n,); None: as in the scene."""
+
+    file: str  # that has them, as messages name it
+    duration: Array  # s, > 0
+    inner_speed: Array | None = None  # rad/s; 0: a pause
+    axial_load: Array | None = None  # N
+    radial_load: Array | None = None  # N
+    temperature: Array | None = None  # of the oil at the inlets, K
+
+
+def read_cycle(path: str | os.PathLike[str]) -> Cycle:
+    """The duty cycle in a CSV file. Raises InputError as `Columns.read`."""
+    return Cycle(**CYCLE.read(path))
+
+
 def read_measured(path: str | os.PathLike[str]) -> MeasuredTorque:
-    """The measured torques in a CSV file, without the oils at their temperatures.
+    """The measured torques in a CSV file, without the oils at their temperatures. Raises InputError as `Columns.read`.
 
-    Raises InputError as `Columns.read`, and for a row where nothing turns or whose uncertainty exceeds its torque.
+    A row is refused where nothing turns, and where the uncertainty exceeds the torque.
     """
-    columns, rows = OF_MEASURED.read(path)
-    file = plain(os.fspath(path))
-    if any(column.is_share for column in columns):
-        for row in rows:
-            row.values["uncertainty"] *= row.values["torque"]
-    for row in rows:
-        _require_fit(row, file)
-    values: dict[str, Any] = {column.name: np.array([row.values[column.name] for row in rows]) for column in columns}
-    return MeasuredTorque(file=file, **values)
-
-
-def _require_fit(row: Row, file: str) -> None:
-    torque, uncertainty = row.values["torque"], row.values.get("uncertainty", 0.0)
-    if row.values.get("inner_speed") == 0:
-        raise InputError(f"{file}: {row.place}: inner_speed = 0: nothing turns; give the speed, or leave the row out")
-    if uncertainty > torque:
-        raise InputError(
-            f"{file}: {row.place}: uncertainty = {torque_of(uncertainty)} is larger than the torque, "
-            f"{torque_of(torque)}; give the standard uncertainty of the measured torque (k = 1)"
-        )
+    return MeasuredTorque(**MEASURED.read(path))
 
 
 def with_oils(measured: MeasuredTorque, values: Values, own: Lubricant | None, *, ball_radius: float) -> MeasuredTorque:
@@ -283,34 +299,3 @@ def with_oils(measured: MeasuredTorque, values: Values, own: Lubricant | None, *
                     f"{measured.file}: row {row}: temperature = {temperature - 273.15:.4g} degC: {problem}"
                 ) from problem
     return replace(measured, oils=read_only(oils))
-
-
-OF_CYCLE = Columns(
-    known={
-        "duration": Dimension(unit="s", low=1e-9, high=1e10, example='"20 s"'),
-        **{name: operating_column(name) for name in OPERATING},
-    },
-    required="duration",
-    row="duty step",
-    where="what runs in its steps",
-    example=("duration", "inner_speed"),
-)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Cycle:
-    """The steps of a duty cycle, each array (n,); None: as in the scene."""
-
-    file: str  # that has them, as messages name it
-    duration: Array  # s, > 0
-    inner_speed: Array | None = None  # rad/s; 0: a pause
-    axial_load: Array | None = None  # N
-    radial_load: Array | None = None  # N
-    temperature: Array | None = None  # of the oil at the inlets, K
-
-
-def read_cycle(path: str | os.PathLike[str]) -> Cycle:
-    """The duty cycle in a CSV file. Raises InputError as `Columns.read`."""
-    columns, rows = OF_CYCLE.read(path)
-    values = {column.name: np.array([row.values[column.name] for row in rows]) for column in columns}
-    return Cycle(file=plain(os.fspath(path)), **values)

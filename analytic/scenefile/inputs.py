@@ -9,7 +9,7 @@ from analytic.declared import Whole, read_only
 from analytic.errors import InputError
 from analytic.rows import NotNegative
 from analytic.scene import LOSS_SPREAD, Bearing, Cage, Groove, Material, Origin, Scene, Status
-from analytic.scenefile.keys import ASSUMABLE, UNCERTAIN, Values, scene_key
+from analytic.scenefile.keys import ASSUMABLE, NORMAL, UNCERTAIN, Values, scene_key
 from analytic.scenefile.kinds import LARGEST_SHARE, GivenSpread
 
 
@@ -93,35 +93,54 @@ def uncertain_value(scene: Scene, key: str) -> float | None:
     Of a load the largest magnitude of the series, which varies as a whole; of a formula 1, of a step between two 0.
     """
     table, _, rest = key.partition(".")
-    angle, has_elastic = scene.contact_angle, scene.has_friction and scene.effects.get("hysteresis") != "off"
+    if not _is_asked_for(scene, key):
+        return None
+    if table == "model":
+        return 0.0 if UNCERTAIN[key] is NORMAL else 1.0
     if table == "operation":
         return float(np.max(np.abs(getattr(scene.operation, rest)))) or None
-    if key == "bearing.contact_angle.free":
-        return angle.free if angle.rule == "solved" else None
-    is_washer = scene.bearing.kind == "thrust"  # equal grooves, and 90 degrees by its kind
-    if key == "bearing.contact_angle.value":
-        return angle.value if angle.rule == "given" and not is_washer else None
-    if key == "bearing.outer.conformity" and is_washer:
-        return None
-    if key == "bearing.clearance" and (angle.rule == "given" or angle.free is not None):
-        return None
-    if table in ("bearing", "arrangement", "cage"):
-        part = getattr(scene, table)
-        return None if part is None else _value(part, rest)
-    if table == "losses":
-        return getattr(scene.losses, rest) or None
     if table == "friction":
-        if rest == "coefficient":
-            return scene.friction_coefficient or None
-        return (scene.loss_factor or None) if scene.elastic_rolling == "hysteresis" and has_elastic else None
-    if key == "model.elastic_rolling":
-        return 0.0 if has_elastic and scene.loss_factor else None
-    if key == "model.oil_losses":
-        return 1.0 if scene.losses.has_oil else None
+        return (scene.friction_coefficient if rest == "coefficient" else scene.loss_factor) or None
+    if key.startswith("bearing.contact_angle."):
+        return getattr(scene.contact_angle, rest.rpartition(".")[2])
+    part = getattr(scene, table)
+    value = None if part is None else _value(part, rest)
+    return value if table in ("bearing", "arrangement", "cage") else value or None
+
+
+def _is_asked_for(scene: Scene, key: str) -> bool:
+    """Whether the torque depends on an input of UNCERTAIN, as far as the scene has it."""
+    oil, surface, angle, effects = scene.lubricant, scene.surface, scene.contact_angle, scene.effects
+    is_solved, is_washer = angle.rule == "solved", scene.bearing.kind == "thrust"  # equal grooves, and 90 degrees
+    mixed = oil is not None and surface is not None and scene.friction_coefficient is None
+    can_starve = effects.get("starvation") != "off"
+    is_elastic = scene.has_friction and effects.get("hysteresis") != "off"
+    if key in ("lubricant.surface_tension", "model.grease_film"):
+        return oil is not None and can_starve and oil.starves_as_measured(scene.bearing)
+    if key == "model.starvation":
+        return oil is not None and can_starve and oil.starves_by_replenishment(scene.bearing)
     if key == "model.unloaded_balls":
-        is_on = scene.effects.get("unloaded_balls") != "off" and not scene.operation.is_thrust
-        return 1.0 if is_on and scene.lubricant is not None and scene.lubricant.supply == "oil_bath" else None
-    return _of_oil(scene, table, rest)
+        has_bath = oil is not None and oil.supply == "oil_bath"
+        return has_bath and effects.get("unloaded_balls") != "off" and not scene.operation.is_thrust
+    if key in (
+        "model.rolling",
+        "model.heating",
+        "lubricant.viscosity",
+        "lubricant.temperature",
+        "lubricant.reach.ahead",
+    ):
+        return oil is not None
+    own = {
+        "bearing.contact_angle.free": is_solved,
+        "bearing.contact_angle.value": not is_solved and not is_washer,
+        "bearing.outer.conformity": not is_washer,
+        "bearing.clearance": is_solved and angle.free is None,
+        "friction.hysteresis_loss": is_elastic and scene.elastic_rolling == "hysteresis",
+        "model.elastic_rolling": is_elastic and bool(scene.loss_factor),
+        "model.oil_losses": scene.losses.has_oil,
+        "surface.autocorrelation.length": mixed and surface is not None and surface.autocorrelation is not None,
+    }
+    return own.get(key, mixed or not key.startswith(("lubricant.", "surface.", "model.")))
 
 
 def checked_deviation(key: str, value: float, deviation: float) -> float:
@@ -172,28 +191,6 @@ def _stated(scene: Scene, table: object, key: str) -> float | str | None:
         return table.pocket_diameter - scene.bearing.ball_diameter
     value = _value(table, key)
     return value.name if isinstance(value, Material) else value
-
-
-def _of_oil(scene: Scene, table: str, key: str) -> float | None:
-    """The value of an input of oil, surface or formula, as far as this scene's friction comes from them."""
-    oil, surface = scene.lubricant, scene.surface
-    mixed = oil is not None and surface is not None and scene.friction_coefficient is None
-    if key == "surface_tension" or (table == "model" and key == "grease_film"):
-        if oil is None or not oil.starves_as_measured(scene.bearing) or scene.effects.get("starvation") == "off":
-            return None
-        return 1.0 if table == "model" else oil.surface_tension
-    if table == "model":
-        if key == "starvation":
-            starves = oil is not None and oil.starves_by_replenishment(scene.bearing)
-            return 0.0 if starves and scene.effects.get("starvation") != "off" else None
-        if key == "gap":
-            return 0.0 if mixed else None
-        return 1.0 if (oil is not None if key in ("rolling", "heating") else mixed) else None
-    if table == "lubricant":
-        asked = oil is not None and (mixed or key in ("viscosity", "temperature", "reach.ahead"))
-        return (_value(oil, key) or None) if asked else None
-    has_part = key != "autocorrelation.length" or (surface is not None and surface.autocorrelation is not None)
-    return (_value(surface, key) or None) if mixed and has_part else None
 
 
 def _value(table: object, key: str) -> Any:
