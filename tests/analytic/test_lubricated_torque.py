@@ -14,7 +14,7 @@ from analytic.errors import InputError
 from analytic.oil.film import central_film, inlet_heating_factor
 from analytic.oil.variation import Variation
 from analytic.scene import Bearing, ContactAngle, Decision, Operation, Reach, Scene
-from analytic.surface.asperity_table import separation_of, tabulated_asperities
+from analytic.surface.asperity import separation_of, tabulated_asperities
 from analytic.surface.roughness import gap_roughness
 from analytic.torque import RACES, friction_torque
 from tests.analytic import specimens

@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 from analytic.oil.mixed import _inverse_cubic, likely_share
 from analytic.scene import AsperityLaw
-from analytic.surface.asperity_table import separation_of
+from analytic.surface.asperity import separation_of
 from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, area, mixed, rough, summits_of
 from tests.analytic.specimens import hertzian
 from tests.validation.hard.lubrication_exact import film, log_over_summits, mean_gap

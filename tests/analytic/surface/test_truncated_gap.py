@@ -10,11 +10,11 @@ from scipy.stats import norm
 
 from analytic.numerics.normal_distribution import FAR
 from analytic.scene import Surface
-from analytic.surface.asperity import asperity_contact
+from analytic.surface.asperity import log_pressure_at
 from analytic.surface.gap import SMOOTH_GAP, GapNumbers, gap_law, log_gap_of
 from analytic.surface.roughness import gap_roughness
 from analytic.surface.truncated_gap import log_mean_gap
-from tests.analytic.specimens import FINISH, present
+from tests.analytic.specimens import FINISH
 from tests.contacts import STEEL
 
 E = 113.187e9  # Pa
@@ -53,14 +53,13 @@ def test_it_is_the_mean_of_what_is_not_cut_off() -> None:
 
 
 def test_the_law_joins_pressure_and_gap() -> None:
-    """By the quadrature over the summits and over the heights, in place of splines and closed form."""
-    truncated, summits = law(), gap_roughness(FINISHED).summits
+    """By a search for the separation and a quadrature over the heights, in place of inverse and closed form."""
+    truncated = law()
     deviation = np.sqrt(2) * FINISHED.rms_roughness
     for pressure in (3e4, 2e7, 8e8, 2.3e9):
 
         def excess(d: float, pressure: float = pressure) -> float:
-            at = asperity_contact(film_thickness=d, summits=summits, modulus=E, hardness=present(FINISHED.hardness))
-            return float(np.log(at.pressure / pressure))
+            return float(log_pressure_at(truncated.cubics, truncated.truncated.summits, d)) - np.log(pressure)
 
         d = float(brentq(excess, -9e-6, 3e-6, xtol=1e-16))  # pyright: ignore[reportArgumentType]
         mean, _ = quad(lambda z, d=d: max(d - deviation * z, 0.0) * norm.pdf(z), -40, d / deviation, epsabs=0)
