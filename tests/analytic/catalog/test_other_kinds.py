@@ -3,7 +3,7 @@
 import pytest
 
 from analytic.catalog.bearing_rows import bearing_names, find_bearing
-from analytic.catalog.other_kinds import other_kind
+from analytic.catalog.designation import other_kind
 from tests.refusals import refused
 
 

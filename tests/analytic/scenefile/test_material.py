@@ -47,4 +47,3 @@ def test_every_material_of_the_catalog_is_read(name: str) -> None:
     assert 1e9 < read.youngs_modulus < 400e9
     assert 1000 < read.density < 9000
     assert read.thermal_expansion is None or 2e-6 < read.thermal_expansion < 20e-6
-    assert catalog.description("materials", name).isprintable()
