@@ -77,28 +77,10 @@ class Seat(NamedTuple):
 def mounted(bearing: Bearing, mounting: Mounting) -> tuple[Bearing, Clearances]:
     """The bearing in operation, on its seats and at its temperatures, and its clearances.
 
-    Parameters
-    ----------
-    bearing : Bearing
-        As delivered, every dimension at the mounting temperature, m.
-    mounting : Mounting
-        Seats, m, and temperatures, K.
-
-    Returns
-    -------
-    bearing : Bearing
-        Every dimension of rings and balls is that in operation; bore, outside diameter and width stay nominal.
-    clearances : Clearances
-        On the diameter, m, and what the seats do.
-
-    Raises
-    ------
-    InputError
-        For what `mounting_faults` finds.
-
-    Notes
-    -----
-    Rings are thick rings by Lamé, which end at the bottom of their groove.
+    bearing : as delivered, every dimension at the mounting temperature
+    Every dimension of rings and balls is then that in operation; bore, outside diameter and width stay nominal. Rings
+    are thick rings by Lamé, which end at the bottom of their groove.
+    Raises InputError for what `mounting_faults` finds.
     Sources: [Timoshenko1970], [Harris2007] section 3.
     """
     for key, problem in mounting_faults(bearing, mounting):
