@@ -231,10 +231,12 @@ def _unfit(row: Mapping[str, float]) -> str | None:
 
 
 OF_OPERATION = {name: operating_column(name) for name in OPERATING}
-TORQUE = Magnitude(unit="N m", low=1e-12, high=1e6, example='"35.1 N mm"')
-SPREAD = Dimension(unit="N m", low=0.0, high=TORQUE.high, example='"0.8 N mm"')
 MEASURED = Columns(
-    known={**OF_OPERATION, "torque": TORQUE, "uncertainty": SPREAD},
+    known={
+        **OF_OPERATION,
+        "torque": Magnitude(unit="N m", low=1e-12, high=1e6, example='"35.1 N mm"'),
+        "uncertainty": Dimension(unit="N m", low=0.0, high=1e6, example='"0.8 N mm"'),
+    },
     required="torque",
     row="measured torque",
     where="where the torques were measured",

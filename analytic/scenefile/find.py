@@ -50,6 +50,12 @@ LONGEST_LINE = 200  # that is searched for a slip
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts. The memory of the TOML parser grows with the square of the number of parts.
 LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){16}""", re.ASCII)
+LONGEST_NAME = 60  # characters of a designation
+# What a name ends with that is a file, among them slips of the keyboard: a point also stands in front of a suffix.
+EXTENSIONS = (
+    *(".toml", ".tml", ".tom", ".tmol", ".txt", ".json", ".yaml", ".yml"),
+    *(".ini", ".cfg", ".csv", ".html", ".md"),
+)
 
 
 def read_text(path: str | os.PathLike[str], *, kind: str, remedy: str) -> str:
@@ -107,14 +113,6 @@ def _remedy(line: str, reason: str) -> str:
     if value.lower() in ("true", "false"):
         return f"write {value.lower()} in small letters"
     return f'write the value in quotes: "{plain(value)}"'
-
-
-LONGEST_NAME = 60  # characters of a designation
-# What a name ends with that is a file, among them slips of the keyboard: a point also stands in front of a suffix.
-EXTENSIONS = (
-    *(".toml", ".tml", ".tom", ".tmol", ".txt", ".json", ".yaml", ".yml"),
-    *(".ini", ".cfg", ".csv", ".html", ".md"),
-)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

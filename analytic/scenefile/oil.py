@@ -29,6 +29,19 @@ SHEAR_LIMIT = 0.10  # traction by the limiting shear of [Arana2019] was within 1
 HOT_LIMIT = 0.20  # an assumed viscosity at 100 degC: indices of 95 and 140 differ by 18 % in VG 46
 KINDS = {"diester": "ester"}  # other names of kinds of base oil
 UNKNOWN_KIND = "not known"
+DEFAULTS = {  # typical of mineral oils near 40 degC (no source seen)
+    "limiting_shear": 0.065,
+    "viscosity_temperature": 0.045,  # 1/K
+    "thermal_conductivity": 0.14,  # W/(m K)
+    "density": 870.0,  # kg/m^3
+}
+EXAMPLES = {"density": '"900 kg/m^3"', "pressure_viscosity": '"2e-8 1/Pa"'}
+# Limits, over the value.
+CLASS_LIMIT = 0.10  # a class of ISO 3448, at 40 degC
+INDEX_LIMIT = 0.05  # at 100 degC: some ten points of an assumed viscosity index; in proportion at other temperatures
+FAR = 0.05  # limit by the line alone, of a temperature that is said to be beyond it
+BLED_TENSION = 0.022  # N/m, between those of two greases
+PROPERTIES = (*EXAMPLES, "viscosity", "limiting_shear", "thermal_conductivity")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -206,22 +219,9 @@ def _cell(row: catalog.Row, column: str) -> float | None:
     return _value(row, column) if next(row[title] for title in row if title.partition(" [")[0] == column) else None
 
 
-DEFAULTS = {  # typical of mineral oils near 40 degC (no source seen)
-    "limiting_shear": 0.065,
-    "viscosity_temperature": 0.045,  # 1/K
-    "thermal_conductivity": 0.14,  # W/(m K)
-    "density": 870.0,  # kg/m^3
-}
-EXAMPLES = {"density": '"900 kg/m^3"', "pressure_viscosity": '"2e-8 1/Pa"'}
-# Limits, over the value.
-CLASS_LIMIT = 0.10  # a class of ISO 3448, at 40 degC
-INDEX_LIMIT = 0.05  # at 100 degC: some ten points of an assumed viscosity index; in proportion at other temperatures
-FAR = 0.05  # limit by the line alone, of a temperature that is said to be beyond it
 GIVEN = Known(status="given", source="the scene")
 TYPICAL = Known(status="assumed", source="typical of mineral oils near 40 degC, no source seen")
-BLED_TENSION = 0.022  # N/m, between those of two greases
 BLED = Known(status="assumed", source="between 0.017 and 0.028 N/m of two greases at 61 degC [Shetty2024]", limit=0.25)
-PROPERTIES = (*EXAMPLES, "viscosity", "limiting_shear", "thermal_conductivity")
 
 
 def lubricant_of(values: Values, *, ball_radius: float) -> Lubricant:

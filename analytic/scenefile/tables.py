@@ -7,7 +7,6 @@ the drag of the seals by SKF's formula, which seals that rub have by default.
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from math import sqrt
 from pathlib import Path
 
 from analytic.catalog.seals import seal_spread, seal_torque, seal_type
@@ -28,6 +27,15 @@ from analytic.scene import (
 from analytic.scenefile.fit import arrangement_misfits, bearing_misfits
 from analytic.scenefile.keys import Values
 from analytic.surface.profilometer import ENDING, x3p_shape_and_spacing
+
+HEIGHT_MAPS = (".npy", ".csv", ENDING)
+WAYS = ("rms_roughness", "Ra", "finish", "height_map")  # to say how rough a surface is
+ROUGHNESSES = ("rms_roughness", "ball_rms_roughness")
+# Neither Ra nor a finish says how long the waves of a surface are. A judgement, no source seen: 10 to 40 um.
+ASSUMED_CORRELATION = Autocorrelation(kind="gaussian", length=20e-6, spacing=1e-6)
+LENGTH_DEVIATION = 15e-6 / math.sqrt(3)  # m: of 30 um between the limits
+GIVEN = Origin(status="given", uncertainty=None, source="the scene")
+SHOULDER = 0.2  # height over the ball diameter, where the catalogue has none: usual
 
 
 def installation_faults(v: Values) -> Iterator[tuple[str, str]]:
@@ -115,15 +123,6 @@ def _mounting_faults(v: Values) -> Iterator[tuple[str, str]]:
         yield "mounting.ball_temperature", "goes with inner_temperature and outer_temperature: give these too"
 
 
-HEIGHT_MAPS = (".npy", ".csv", ENDING)
-WAYS = ("rms_roughness", "Ra", "finish", "height_map")  # to say how rough a surface is
-ROUGHNESSES = ("rms_roughness", "ball_rms_roughness")
-# Neither Ra nor a finish says how long the waves of a surface are. A judgement, no source seen: 10 to 40 um.
-ASSUMED_CORRELATION = Autocorrelation(kind="gaussian", length=20e-6, spacing=1e-6)
-LENGTH_DEVIATION = 15e-6 / sqrt(3)  # m: of 30 um between the limits
-GIVEN = Origin(status="given", uncertainty=None, source="the scene")
-
-
 def surface_conflicts(v: Values) -> Iterator[tuple[str, str]]:
     """(key, problem) of keys of [surface] that are valid on their own and in conflict with each other."""
     path, has_own_law = v["surface.height_map.path"], "surface.asperities" in v
@@ -189,9 +188,6 @@ def surface_of(v: Values, folder: Path) -> Surface | None:
             origins=read_only(origins),
         )
     )
-
-
-SHOULDER = 0.2  # height over the ball diameter, where the catalogue has none: usual
 
 
 def losses_of(v: Values, bearing: Bearing) -> Losses:

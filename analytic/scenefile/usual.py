@@ -29,9 +29,8 @@ WEB = 0.8  # of the web between pockets: the thickest sheet
 DENSITY = {"steel": 7850.0, "peek": 1300.0}  # kg/m^3
 LIGHT = 2000.0  # kg/m^3: plastics are lighter
 PLASTIC = ("plastic", "polyamide", "phenolic")  # in the meaning of a suffix
-FRICTION = (
-    0.1  # of ball on pocket: below the boundary friction of steel, 0.09 to 0.15, as films carry a part; judgement
-)
+# Of ball on pocket: below the boundary friction of steel, 0.09 to 0.15, as films carry a part; judgement
+FRICTION = 0.1
 # Standard deviation of friction times mass over the value, judgement: the torque is in proportion to both.
 SPREAD = 0.5
 _SIZE = Origin(status="assumed", uncertainty=None, source="cage of the 6205 of [Paper], scaled by the ball diameter")
@@ -44,6 +43,15 @@ ORIGINS = {
         source="judgement: boundary friction of steel less what films carry; the spread includes that of the mass",
     ),
 }
+RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, and on an angular contact bearing
+CLASSES = (10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460)  # of ISO 3448
+RATIO = 2.0  # kappa, viscosity over nu_1
+THICKEST = 1.0  # m^2/s: at standstill nu_1 is infinite
+WITHOUT_SPEED = "ISO VG 68"  # beside a speed or a temperature that the scene will refuse
+LOADS = ("operation.radial_load", "operation.axial_load")
+OTHER_LOADS = ("operation.moment", "arrangement.preload", "arrangement.offset")  # beside which there is no usual load
+# How keys of the usual values that a user reads begin
+TOLD = ("bearing.clearance", "operation.", "lubricant.", "surface.", "friction.")
 
 
 class Balls(Protocol):
@@ -85,22 +93,6 @@ def assumed_cage(bearing: Balls, suffixes: Collection[str], *, material: Materia
     if sizes and material is not None:
         sizes["mass"] *= material.density / DENSITY[kind]
     return sizes | {"material": kind} if sizes else {}
-
-
-RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, and on an angular contact bearing
-CLASSES = (10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460)  # of ISO 3448
-RATIO = 2.0  # kappa, viscosity over nu_1
-THICKEST = 1.0  # m^2/s: at standstill nu_1 is infinite
-WITHOUT_SPEED = "ISO VG 68"  # beside a speed or a temperature that the scene will refuse
-LOADS = ("operation.radial_load", "operation.axial_load")
-OTHER_LOADS = ("operation.moment", "arrangement.preload", "arrangement.offset")  # beside which there is no usual load
-TOLD = (
-    "bearing.clearance",
-    "operation.",
-    "lubricant.",
-    "surface.",
-    "friction.",
-)  # what a user reads of the usual values
 
 
 def usual_values(designation: str, bearing: CatalogBearing, given: Mapping[str, Any]) -> dict[str, Any]:
