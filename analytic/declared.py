@@ -109,7 +109,7 @@ class InFile(NamedTuple):
 
     default: Any = AS_IN_PYTHON  # of a material its name; None: a rule, the catalogue or another key gives the value
     hint: str = ""  # what to give, in place of the words of its kind
-    at: str = ""  # path of the key, where it is not that of its owner and its name
+    at: str = ""  # path of the key, or of its table with a point, where it is not that of its owner
     word: str | None = None  # that may stand in place of the table
 
 
@@ -145,6 +145,11 @@ class Declared(NamedTuple):
     is_derived: bool
     is_mapping: bool  # of names to values of the kind
     others: tuple[type, ...]  # classes whose objects it takes beside a word
+
+    def place(self, name: str, owner: str) -> str:
+        """The path of the key of a field of this name; owner : path of the table of its dataclass."""
+        at = self.in_file.at or (f"{owner}." if owner else "")
+        return at if at and not at.endswith(".") else f"{at}{name}"
 
 
 @cache
@@ -322,7 +327,7 @@ def declared_table(noun: type, path: str = "") -> Table:
     table = Table(path=path, hint=getattr(noun, "HINT", ""), noun=noun)
     for each in fields(noun):
         said = declarations(noun)[each.name]
-        of_file, place = said.in_file, said.in_file.at or f"{path}.{each.name}".lstrip(".")
+        of_file, place = said.in_file, said.place(each.name, path)
         if said.is_derived or said.is_mapping:
             continue
         if said.noun is not None and is_dataclass(said.noun):

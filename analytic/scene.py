@@ -119,6 +119,7 @@ Share = Annotated[float, _quantity("", 0, 1, '"2 %"')]
 Tolerance = Annotated[float, _quantity("", 1e-6, 1, '"5 %"')]
 Resistance = Annotated[float, _quantity("K/W", 0, 1e6, '"0.5 K/W"')]
 OnOff = Annotated[bool, Switch()]
+OF_FRICTION = InFile(at="friction.")
 THRUSTS, SIDES, MOMENTS, SPEEDS = (Series(of=get_args(kind)[1]) for kind in (Thrust, Side, Moment, Speed))
 
 
@@ -189,9 +190,8 @@ class Cage(Noun):
     pocket_axis: Annotated[PocketAxis, "line through the centres of both half-shells; axial in a stamped cage"] = (
         "axial"
     )
-    pocket_stiffness: Annotated[float | None, DERIVED] = (
-        None  # K_pb, N/m^1.5, by finite elements or a test; None: by Hertz
-    )
+    # K_pb, N/m^1.5, by finite elements or a test; None: by Hertz
+    pocket_stiffness: Annotated[float | None, DERIVED] = None
     sheet_stiffness: Annotated[
         Stiffness | None, "of the sheet in series with the pocket's contact; without it rigid"
     ] = None
@@ -210,9 +210,8 @@ class Cage(Noun):
     gravity: Annotated[CageGravity, "against the axis: across is -y, along is -z"] = "across"
     drag: Annotated[CageDrag, "braking torque of the surrounding oil over the speed of the cage"] = 0.0
     land: Land | None = None
-    gives_way: Annotated[bool, DERIVED] = (
-        False  # at rest to balls that lead and lag: they do not squeeze it, as nobody knows its pockets
-    )
+    # At rest to balls that lead and lag: they do not squeeze it, as nobody knows its pockets
+    gives_way: Annotated[bool, DERIVED] = False
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by key; empty: not noted
 
 
@@ -245,9 +244,8 @@ class Bearing(Noun):
     seals_rub: Annotated[bool, DERIVED] = False  # whether they touch the inner ring and brake it
     grade: Annotated[Grade | None, DERIVED] = None  # of what the catalogue derives; None: not of the catalogue
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # of the dimensions, by their keys
-    other_candidate: Annotated["Bearing | None", DERIVED] = (
-        None  # that the ratings fit nearly as well; None: the catalogue is sure
-    )
+    # That the ratings fit nearly as well; None: the catalogue is sure
+    other_candidate: Annotated["Bearing | None", DERIVED] = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -669,10 +667,9 @@ class Scene(Noun):
     operation: Annotated[Operation, InFile(REQUIRED)]
     name: Annotated[Text, InFile(REQUIRED), "shown with results"] = "scene"
     tolerance: Annotated[Tolerance, InFile(REQUIRED), "of the torque, relative"] = 0.05
-    contact_angle: Annotated[ContactAngle, InFile(at="bearing.contact_angle")] = ContactAngle(rule="solved")
-    clearances: Annotated[Clearances | None, DERIVED] = (
-        None  # on the way to `bearing`, which is in operation; None: no seats are given
-    )
+    contact_angle: Annotated[ContactAngle, InFile(at="bearing.")] = ContactAngle(rule="solved")
+    # On the way to `bearing`, which is in operation; None: no seats are given
+    clearances: Annotated[Clearances | None, DERIVED] = None
     arrangement: Arrangement | None = None  # of two such bearings, which share the loads; None: one bearing
     cage: Annotated[Cage | None, InFile(word="none")] = None  # None: no cage term and no pocket contact
     lubricant: Lubricant | None = None  # None: unknown
@@ -681,25 +678,19 @@ class Scene(Noun):
         Friction | None, InFile(at="friction.coefficient"), "mu of every race contact, in place of oil and surface"
     ] = None
     hysteresis_loss: Annotated[
-        LossFactor | None,
-        InFile(at="friction.hysteresis_loss"),
-        "alpha', share of the elastic energy lost in each cycle",
+        LossFactor | None, OF_FRICTION, "alpha', share of the elastic energy lost in each cycle"
     ] = None  # None: USUAL_LOSS
-    elastic_rolling: Annotated[
-        ElasticRolling, InFile(at="friction.elastic_rolling"), "law of the loss by elastic rolling"
-    ] = "hysteresis"  # see `analytic.oil.rolling`
+    # See `analytic.oil.rolling`
+    elastic_rolling: Annotated[ElasticRolling, OF_FRICTION, "law of the loss by elastic rolling"] = "hysteresis"
     losses: Losses = Losses()
-    spin_rule: Annotated[SpinRule, InFile(at="friction.spin_rule"), "how a ball turns; free: by mechanics"] = "free"
-    microslip: Annotated[Microslip, InFile(at="friction.microslip"), "as_printed: of the paper with its misprints"] = (
-        "derived"
-    )
+    spin_rule: Annotated[SpinRule, OF_FRICTION, "how a ball turns; free: by mechanics"] = "free"
+    microslip: Annotated[Microslip, OF_FRICTION, "as_printed: of the paper with its misprints"] = "derived"
     effects: Mapping[str, Decision] = field(default_factory=nothing)  # by their names; those left out are `auto`
     uncertainty: Mapping[str, float] = field(default_factory=nothing)  # SI, see `analytic.scenefile.inputs`
     assumed: Mapping[str, str] = field(default_factory=nothing)  # sources, by key
     calibration: Annotated[Text | None, InFile(hint="give the inputs that were fitted, and to which numbers")] = None
-    down: Annotated[tuple[float, float, float] | None, DERIVED] = (
-        None  # unit vector of gravity along x, y, z; None: assumed along x
-    )
+    # Unit vector of gravity along x, y, z; None: assumed along x
+    down: Annotated[tuple[float, float, float] | None, DERIVED] = None
     warnings: tuple[str, ...] = ()  # from reading the scene
     # Values of a bearing of the catalogue that nobody gave, by key, as a file has them
     usual: Mapping[str, str] = field(default_factory=nothing, compare=False)

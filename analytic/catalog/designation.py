@@ -13,24 +13,9 @@ from analytic.errors import InputError
 
 MAKERS = ("NSK", "SKF", "KOYO", "GMN", "SNFA")  # whose bearings are in the catalogue
 _OTHERS = (
-    *("FAG", "INA", "SCHAEFFLER", "NTN-SNR", "NTN", "SNR", "NACHI", "TIMKEN", "JTEKT", "NMB", "MINEBEA", "RHP", "ZKL"),
-    *(
-        "ZVL",
-        "KINEX",
-        "URB",
-        "NKE",
-        "NBC",
-        "EZO",
-        "FBJ",
-        "IJK",
-        "HRB",
-        "ZWZ",
-        "LYC",
-        "FAFNIR",
-        "BARDEN",
-        "MRC",
-        "STEYR",
-    ),
+    *("FAG", "INA", "SCHAEFFLER", "NTN-SNR", "NTN", "SNR", "NACHI", "TIMKEN", "JTEKT", "NMB", "MINEBEA", "RHP"),
+    *("ZKL", "ZVL", "KINEX", "URB", "NKE", "NBC", "EZO", "FBJ", "IJK", "HRB", "ZWZ", "LYC", "FAFNIR", "BARDEN"),
+    *("MRC", "STEYR"),
 )
 _NAME = "|".join(sorted((*MAKERS, *_OTHERS), key=len, reverse=True))
 _MAKER_BEFORE = re.compile(rf"({_NAME})(?![A-Z])[\s\-:/]*")
@@ -48,7 +33,10 @@ LONGEST = 60  # characters
 ONE_ROW = "fembearing computes ball bearings of one row; give one of those, for example 6205 or 7208B"
 BY_HAND = "give its dimensions by hand in [bearing]: ball_count, ball_diameter, pitch_diameter, conformity"
 PAIR = f"{BY_HAND} of one row, and an [arrangement] of two"
-THRUST = 'the catalogue does not have its balls: give kind = "thrust", ball_count, ball_diameter, pitch_diameter and '
+THRUST = (
+    'the catalogue does not have its balls: give kind = "thrust", ball_count, ball_diameter, pitch_diameter and '
+    "conformity in [bearing], with bore_diameter, outside_diameter and static_load_rating for makers' formulas"
+)
 FOUR_POINTS = f'under thrust it is one of angular contact: {BY_HAND} and contact_angle = {{ nominal = "35 deg" }}'
 # (pattern from the beginning of the designation, kind, remedy); the first that fits counts.
 _KINDS: tuple[tuple[str, str, str], ...] = (
@@ -173,9 +161,6 @@ def _readings(body: str, names: Mapping[str, str]) -> list[tuple[str, list[Suffi
         refused = any(suffix.kind == "refused" for suffix in known)
         (doubtful if unknown else other_balls if refused else clear).append((name, known, unknown))
     return clear or other_balls or doubtful[:1]
-
-
-THRUST += "conformity in [bearing], with bore_diameter, outside_diameter and static_load_rating for makers' formulas"
 
 
 def other_kind(name: str) -> str | None:

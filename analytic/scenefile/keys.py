@@ -264,7 +264,7 @@ class Values(dict[str, Any]):
         found = dict(others)
         for each in fields(noun):
             said = declarations(noun)[each.name]
-            place = said.in_file.at or f"{path}.{each.name}".lstrip(".")
+            place = said.place(each.name, path)
             if each.name in others or said.is_derived or said.is_mapping:
                 continue
             if said.noun not in (None, Material):
