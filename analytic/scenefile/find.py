@@ -149,11 +149,7 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> FoundS
     elif not os.path.isfile(path) and _may_be_a_bearing(given):
         try:
             return FoundScene(
-                document={},
-                origin=f"scene of {given}",
-                folder=folder,
-                bearing=find_bearing(given),
-                designation=given,
+                document={}, origin=f"scene of {given}", folder=folder, bearing=find_bearing(given), designation=given
             )
         except InputError as problem:
             if os.path.basename(given) == given or (not path.parent.is_dir() and begins_as_number(given)):

@@ -21,18 +21,7 @@ from analytic.declared import read_only
 from analytic.errors import InputError
 from analytic.given import OperatingOptions, SceneOptions
 from analytic.quantity import SI
-from analytic.scene import (
-    Array,
-    Bearing,
-    Cage,
-    ContactAngle,
-    Decision,
-    EffectName,
-    Losses,
-    Operation,
-    Scene,
-    Thermal,
-)
+from analytic.scene import Array, Bearing, Cage, ContactAngle, Decision, EffectName, Losses, Operation, Scene, Thermal
 from analytic.scenefile import fit
 from analytic.scenefile.bearing import (
     BALLS,
@@ -184,10 +173,7 @@ def load_scene(
 
 
 def load_by_temperature(
-    scene: str | os.PathLike[str] | Scene,
-    *,
-    columns: Mapping[str, Any] = NOTHING_SET,
-    **given: Unpack[SceneOptions],
+    scene: str | os.PathLike[str] | Scene, *, columns: Mapping[str, Any] = NOTHING_SET, **given: Unpack[SceneOptions]
 ) -> SceneByTemperature:
     """The scene at any temperature of its oil; arguments and errors of `load_scene`, which refuses [thermal].
 

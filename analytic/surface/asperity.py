@@ -89,11 +89,7 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     summits : of one rough surface, numbers;  modulus : E*, Pa, > 0;  hardness : H, of the softer body, Pa, > 0
     Raises InputError for a smooth or nearly smooth surface, which has no such table.
     """
-    require_positive(
-        density=summits.density,
-        radius=summits.radius,
-        height_deviation=summits.height_deviation,
-    )
+    require_positive(density=summits.density, radius=summits.radius, height_deviation=summits.height_deviation)
     if np.ndim(summits.density) or np.ndim(summits.radius) or np.ndim(summits.height_deviation):
         raise InputError("summits must be those of one surface, numbers: make a table for each surface")
     deviation = float(summits.height_deviation)
@@ -113,9 +109,7 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     falling = np.arcsinh(log_load)
     log_area_scale = float(np.log(np.pi * summits.radius * summits.density * deviation))
     cubics, (pressure_pieces, area_pieces, height_pieces) = together(
-        smooth_cubic(v, log_load - higher),
-        smooth_cubic(v, log_area - higher),
-        smooth_cubic(falling[::-1], v[::-1]),
+        smooth_cubic(v, log_load - higher), smooth_cubic(v, log_area - higher), smooth_cubic(falling[::-1], v[::-1])
     )
     return cubics, SummitNumbers(
         mean_height=float(summits.mean_height),

@@ -28,12 +28,7 @@ LINE: dict[str, Any] = {
     "supply": "grease",
 }
 WRITTEN: OperatingOptions = dict(  # noqa: C408
-    radial_load="3 kN",
-    axial_load="200 N",
-    speed="2900 rpm",
-    oil="ISO VG 46",
-    temperature="65 degC",
-    supply="grease",
+    radial_load="3 kN", axial_load="200 N", speed="2900 rpm", oil="ISO VG 46", temperature="65 degC", supply="grease"
 )
 
 

@@ -90,10 +90,7 @@ def test_given_loads_leave_no_usual_ones(choice: dict[str, Any], radial: str, ax
 WRITTEN = ("6206", "7208B", "6305-2RS/C3")
 KEY = re.compile(r"#(\w[\w.]*) = ")
 # Keys in comments that go together; of the others each stands alone.
-TOGETHER = (
-    ("pocket_clearance", "wall_thickness", "mass", "material"),
-    ("inner_temperature", "outer_temperature"),
-)
+TOGETHER = (("pocket_clearance", "wall_thickness", "mass", "material"), ("inner_temperature", "outer_temperature"))
 # In place of a line that begins so; what comments name in words.
 INSTEAD = {
     "down": ("down = [0, 0, 1]",),
