@@ -16,7 +16,7 @@ from analytic.catalog.suffixes import seal_contact
 from analytic.declared import read_only
 from analytic.scene import Bearing, Origin
 from analytic.scenefile.fill import BALL, BOTTOMS, GAP, PITCH, RIVALS, rivals_of
-from analytic.scenefile.keys import RINGS, Values, catalog_solid, read_document, scene_table
+from analytic.scenefile.keys import GIVEN, RINGS, Values, catalog_solid, read_document, scene_table
 from analytic.scenefile.usual import assumed_cage
 
 OF_RADIAL = ("bottom_radius", "shoulder_diameter", "far_shoulder_diameter")  # keys of rings that washers do not have
@@ -289,8 +289,7 @@ def _origins(v: Values) -> dict[str, Origin]:
             said.add(f"{table.partition('.')[2]}.{_said_by(table, name)}")
     if "inner.bottom_radius" in said:
         said |= {"pitch_diameter", "clearance"}
-    given = Origin(status="given", uncertainty=None, source="the scene")
-    return origins | {key: given for key in sorted(said) if key not in MATERIALS or key in origins}
+    return origins | {key: GIVEN for key in sorted(said) if key not in MATERIALS or key in origins}
 
 
 def _said_by(ring: str, key: str) -> str:

@@ -9,7 +9,7 @@ from analytic.declared import Whole, read_only
 from analytic.errors import InputError
 from analytic.rows import NotNegative
 from analytic.scene import LOSS_SPREAD, Bearing, Cage, Groove, Material, Origin, Scene, Status
-from analytic.scenefile.keys import ASSUMABLE, NORMAL, UNCERTAIN, Values, scene_key
+from analytic.scenefile.keys import ASSUMABLE, GIVEN, NORMAL, UNCERTAIN, Values, scene_key
 from analytic.scenefile.kinds import LARGEST_SHARE, GivenSpread
 
 
@@ -45,42 +45,36 @@ def unit_of(key: str) -> str:
 def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
     """The inputs with an origin: of bearing, cage, oil and surface, what the scene assumes, and a usual loss factor."""
     known = known_inputs(scene)
-    assumed = {key: replace(known[key], status="assumed", source=scene.assumed[key]) for key in scene.assumed}
-    return tuple((_with_origin(scene) | assumed).values())
+    assumed = {key: replace(known[key], status="assumed", source=source) for key, source in scene.assumed.items()}
+    return tuple(({key: known[key] for key in _with_origin(scene)} | assumed).values())
 
 
 def known_inputs(scene: Scene) -> dict[str, StatedInput]:
     """By key: the inputs with an origin, and the others that a scene may declare as assumed; these count as given."""
-    values: dict[str, float | str | None] = {key: uncertain_value(scene, key) for key in ASSUMABLE if key in UNCERTAIN}
+    values: dict[str, Any] = {key: uncertain_value(scene, key) for key in ASSUMABLE if key in UNCERTAIN}
     if scene.cage is not None:
-        values["cage.pocket_clearance"] = _stated(scene, scene.cage, "pocket_clearance")
-        values["cage.wall_thickness"] = scene.cage.wall_thickness
-        values["cage.material"] = scene.cage.material.name
-        values["cage.start"] = scene.cage.start
-    others = {
-        key: StatedInput(key=key, value=value, unit=unit_of(key), status="given", uncertainty=None, source="the scene")
-        for key, value in values.items()
-        if value is not None
+        of_cage = ("pocket_clearance", "wall_thickness", "material", "start")
+        values |= {f"cage.{key}": _stated(scene, scene.cage, key) for key in of_cage}
+    known = {key: (value, GIVEN) for key, value in values.items() if value is not None} | _with_origin(scene)
+    return {
+        key: StatedInput(key=key, value=value, unit=unit_of(key), **vars(origin))
+        for key, (value, origin) in known.items()
     }
-    return others | _with_origin(scene)
 
 
-def _with_origin(scene: Scene) -> dict[str, StatedInput]:
+def _with_origin(scene: Scene) -> dict[str, tuple[float | str | None, Origin]]:
+    """By key, each with its value."""
     tables = {name: getattr(scene, name) for name in ("bearing", "cage", "lubricant", "surface", "losses")}
     usual = {}
     loss = uncertain_value(scene, "friction.hysteresis_loss")
     if scene.hysteresis_loss is None and loss is not None:
         origin = Origin(status="assumed", uncertainty=LOSS_SPREAD * loss, source=USUAL_LOSS_ORIGIN)
-        key = "friction.hysteresis_loss"
-        usual[key] = StatedInput(key=key, value=loss, unit=unit_of(key), **vars(origin))
+        usual["friction.hysteresis_loss"] = loss, origin
     counts = scene.contact_angle.rule == "solved" and scene.effects.get("weight") != "off"
     if scene.down is None and counts and not scene.operation.is_thrust:
-        origin = Origin(status="assumed", uncertainty=None, source=USUAL_DOWN)
-        usual["operation.down"] = StatedInput(key="operation.down", value="1, 0, 0", unit="", **vars(origin))
+        usual["operation.down"] = "1, 0, 0", Origin(status="assumed", uncertainty=None, source=USUAL_DOWN)
     return usual | {
-        f"{name}.{key}": StatedInput(
-            key=f"{name}.{key}", value=_stated(scene, table, key), unit=unit_of(f"{name}.{key}"), **vars(origin)
-        )
+        f"{name}.{key}": (_stated(scene, table, key), origin)
         for name, table in tables.items()
         if table is not None
         for key, origin in table.origins.items()

@@ -60,6 +60,7 @@ from analytic.words import plain, shown
 
 CATALOG = "bearing.catalog"
 RINGS = ("inner", "outer")
+GIVEN = Origin(status="given", uncertainty=None, source="the scene")
 SAME_AS: dict[str, tuple[str, ...]] = {  # other words for keys and tables, as people write them
     **dict.fromkeys(("designation", "catalogue", "bearing_type", "type"), (CATALOG,)),
     **dict.fromkeys(("oil", "lubricant_name", "grease", "vg", "iso_vg"), ("lubricant.name",)),

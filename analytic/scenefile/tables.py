@@ -25,7 +25,7 @@ from analytic.scene import (
     Surface,
 )
 from analytic.scenefile.fit import arrangement_misfits, bearing_misfits
-from analytic.scenefile.keys import Values
+from analytic.scenefile.keys import GIVEN, Values
 from analytic.surface.profilometer import ENDING, x3p_shape_and_spacing
 
 HEIGHT_MAPS = (".npy", ".csv", ENDING)
@@ -34,7 +34,6 @@ ROUGHNESSES = ("rms_roughness", "ball_rms_roughness")
 # Neither Ra nor a finish says how long the waves of a surface are. A judgement, no source seen: 10 to 40 um.
 ASSUMED_CORRELATION = Autocorrelation(kind="gaussian", length=20e-6, spacing=1e-6)
 LENGTH_DEVIATION = 15e-6 / math.sqrt(3)  # m: of 30 um between the limits
-GIVEN = Origin(status="given", uncertainty=None, source="the scene")
 SHOULDER = 0.2  # height over the ball diameter, where the catalogue has none: usual
 
 
