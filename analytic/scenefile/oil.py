@@ -40,7 +40,6 @@ EXAMPLES = {"density": '"900 kg/m^3"', "pressure_viscosity": '"2e-8 1/Pa"'}
 CLASS_LIMIT = 0.10  # a class of ISO 3448, at 40 degC
 INDEX_LIMIT = 0.05  # at 100 degC: some ten points of an assumed viscosity index; in proportion at other temperatures
 FAR = 0.05  # limit by the line alone, of a temperature that is said to be beyond it
-BLED_TENSION = 0.022  # N/m, between those of two greases
 PROPERTIES = (*EXAMPLES, "viscosity", "limiting_shear", "thermal_conductivity")
 
 
@@ -260,28 +259,28 @@ def lubricant_of(values: Values, *, ball_radius: float) -> Lubricant:
             "; ".join(f"lubricant.{key} is missing{reason}; give for example {EXAMPLES[key]}" for key in missing)
         )
     properties = {key: found[key] or TYPICAL.property(DEFAULTS[key]) for key in PROPERTIES}
-    if given.get("supply", "grease" if oil.is_grease else "") == "grease":
+    supply = given.get("supply", "grease" if oil.is_grease else "oil_bath")
+    if supply == "grease":
         tension = given.get("surface_tension")
-        properties["surface_tension"] = BLED.property(BLED_TENSION) if tension is None else GIVEN.property(tension)
+        usual = BLED.property(Lubricant.surface_tension)
+        properties["surface_tension"] = usual if tension is None else GIVEN.property(tension)
     if "eyring_stress" in given:
         properties["eyring_stress"] = GIVEN.property(given["eyring_stress"])
-    choices: dict[str, Any] = {"traction": "eyring_sinh", "supply": "grease" if oil.is_grease else "oil_bath"}
-    others = "thickening", "starvation_degree", "cavitation_pressure", "compressible", "film_formula", "rolling_formula"
-    choices |= {key: given[key] for key in (*choices, *others) if key in given}
-    if choices["traction"] not in BUILT_IN:
-        choices["traction"] = installed_law(choices["traction"])
-    return Lubricant(
-        **{key: each.value for key, each in properties.items()},
-        viscosity_temperature=_slope(given, line, oil, reference),
-        reference_temperature=reference,
-        temperature=temperature,
-        modulus_rise=oil.modulus_rise,
-        traction_spread=oil.traction_spread,
-        name=oil.name if "name" in given and viscosity is None else "",
-        origins=read_only({key: each.origin for key, each in properties.items()}),
-        reach=_reach(values, ball_radius),
-        **choices,
-    )
+    traction = values["lubricant.traction"]
+    of_oil = {
+        "viscosity_temperature": _slope(given, line, oil, reference),
+        "reference_temperature": reference,
+        "temperature": temperature,
+        "modulus_rise": oil.modulus_rise,
+        "traction_spread": oil.traction_spread,
+        "name": oil.name if "name" in given and viscosity is None else "",
+        "origins": read_only({key: each.origin for key, each in properties.items()}),
+        "supply": supply,
+        "traction": traction if traction in BUILT_IN else installed_law(traction),
+        "reach": _reach(values, ball_radius),
+        "surface_tension": Lubricant.surface_tension,
+    } | {key: each.value for key, each in properties.items()}
+    return Lubricant(**values.fields(Lubricant, "lubricant", **of_oil))
 
 
 def _reach(values: Values, ball_radius: float) -> Reach:
