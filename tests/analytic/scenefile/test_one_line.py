@@ -1,7 +1,6 @@
 """A bearing in one line: how its options are read, the scene that `fembearing init` writes, and what they replace."""
 
 import re
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -218,14 +217,6 @@ def test_a_bearing_with_seals_or_shields_is_greased(designation: str, supply: st
 def test_a_slash_in_a_designation_makes_no_path(name: str) -> None:
     for read in (load_scene, friction_torque):
         refused(lambda: read(name), f"bearing {name!r}" if name != "618/5" else "bearing 618/5")  # noqa: B023
-
-
-def test_a_file_with_a_name_like_a_designation_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "628").mkdir()
-    (tmp_path / "628" / "8").write_text(scene_text("6205"), "utf-8")
-    assert load_scene("628/8").bearing.name == "6205"
-    refused(lambda: load_scene("628/9"), "628/9: No such file")
 
 
 FINISH, CLEARANCE = 'finish = "ground and honed"', 'clearance = "CN"'
