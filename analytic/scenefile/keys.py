@@ -83,8 +83,6 @@ SAME_AS: dict[str, tuple[str, ...]] = {  # other words for keys and tables, as p
 OF_CATALOG = ("bearing", "cage")  # tables that the catalog fills
 BESIDE = ("uncertainty.", "assumed.")  # tables with the keys of the others
 MOST_NAMES = 5  # in one message
-
-
 TIGHTEST_GROOVE = 0.5  # conformity of a groove that fits the ball
 FACTOR, NORMAL = 0.0, None
 # The inputs that a prediction varies, each with its floor: what lies above it is lognormal, and its median is the

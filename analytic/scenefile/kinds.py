@@ -1,12 +1,13 @@
 """What keys of a scene take beside words, numbers and quantities: bearings, materials, viscosities and others."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal, NamedTuple, get_args
 
 from analytic import catalog
 from analytic.catalog.bearing_rows import find_bearing
-from analytic.declared import Table
+from analytic.declared import Table, nothing
 from analytic.errors import InputError
 from analytic.quantity import SI, Dimension
 from analytic.scene import Temperature
@@ -18,6 +19,7 @@ LARGEST_SHARE = 3.0  # of a value: a standard deviation beyond it says that the 
 SHARE = Dimension(unit="", low=0, high=LARGEST_SHARE, example='"10 %"')
 KINEMATIC = Dimension(unit="m^2/s", low=1e-7, high=10, example='"46 cSt"')
 _, TEMPERATURE = get_args(Temperature)
+NOTHING = nothing()
 NEEDED = {"youngs_modulus": '"206 GPa"', "poisson_ratio": "0.29", "density": '"7850 kg/m^3"'}  # and examples
 
 
@@ -232,26 +234,26 @@ def _kinematic(given: Any) -> float | None:
         return None
 
 
-def material_entry(given: object) -> dict[str, Any]:
+def material_entry(given: object, overrides: Mapping[str, Any] = NOTHING) -> dict[str, Any]:
     """The table of a material that a scene names or gives; what a table with a catalog's name leaves out is filled in.
 
+    overrides : keys that take precedence, of a name
     Raises ValueError for an unknown name, and for a name whose entry lacks what a material needs.
     """
-    if not isinstance(given, dict):
-        return catalog_material(given, {})
-    name = given.get("name")
-    if not isinstance(name, str) or catalog.find("materials", name) is None:
+    is_table = isinstance(given, dict)
+    name, own = (given.get("name"), given) if is_table else (given, overrides)
+    found = catalog.find("materials", name) if isinstance(name, str) else None
+    if found is None and is_table:
         return given
-    return _overlaid(name, given)
-
-
-def catalog_material(name: object, given: dict[str, Any]) -> dict[str, Any]:
-    """The catalog's table of that name with the given keys, which take precedence; the errors of material_entry."""
-    if not isinstance(name, str) or catalog.find("materials", name) is None:
+    if found is None:
         known = ", ".join(catalog.names("materials"))
         raise ValueError(f"is not a material; give one of {known}, or a table with youngs_modulus and so on")
-    entry = _overlaid(name, given)
-    missing = [key for key in NEEDED if key not in entry]
+    entry = catalog.entry("materials", found)
+    entry.pop("also", None)
+    if changed := [key for key in own if key not in ("name", "source")]:
+        entry["source"] = f"{entry['source']}; given: {', '.join(changed)}"
+    entry |= own
+    missing = [key for key in NEEDED if key not in entry and not is_table]
     if missing:
         rest = ", ".join(f"{key} = {NEEDED[key]}" for key in missing)
         raise ValueError(
@@ -259,12 +261,3 @@ def catalog_material(name: object, given: dict[str, Any]) -> dict[str, Any]:
             f"{{ name = {name!r}, {rest} }}"
         )
     return entry
-
-
-def _overlaid(name: str, given: dict[str, Any]) -> dict[str, Any]:
-    entry = catalog.entry("materials", catalog.find("materials", name) or name)
-    entry.pop("also", None)
-    own = [key for key in given if key not in ("name", "source")]
-    if own:
-        entry["source"] = f"{entry['source']}; given: {', '.join(own)}"
-    return entry | given
