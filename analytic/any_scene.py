@@ -11,6 +11,6 @@ def scene_by(scene: Scene | str | os.PathLike[str], given: SceneOptions) -> Scen
 
     Raises InputError as that, and for anything given beside a Scene.
     """
-    from analytic.scenefile.read import any_by_temperature  # only who asks for it pays
+    from analytic.scenefile.read import load_by_temperature  # only who asks for it pays
 
-    return scene if isinstance(scene, Scene) and not given else any_by_temperature(scene, **given).fixed
+    return scene if isinstance(scene, Scene) and not given else load_by_temperature(scene, **given).fixed

@@ -8,7 +8,7 @@ follow the keys of files, which `analytic.scenefile.keys` reads.
 
 import copyreg
 from collections.abc import Iterator, Mapping
-from dataclasses import MISSING, dataclass, field, fields, is_dataclass
+from dataclasses import MISSING, dataclass, field, fields, is_dataclass, replace
 from functools import cache
 from types import MappingProxyType, NoneType, UnionType
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Protocol, Union, get_args, get_origin, get_type_hints
@@ -100,16 +100,17 @@ class Switch:
         return given
 
 
-class Hint(NamedTuple):
-    """What to give for a key, in place of the words of its kind."""
-
-    text: str
+REQUIRED: Any = ...  # in place of a default
+AS_IN_PYTHON: Any = object()  # likewise
 
 
-class At(NamedTuple):
-    """The path of the key of a field, where it is not that of its owner and its name."""
+class InFile(NamedTuple):
+    """What a file says of a field in another way than Python."""
 
-    path: str
+    default: Any = AS_IN_PYTHON  # of a material its name; None: a rule, the catalogue or another key gives the value
+    hint: str = ""  # what to give, in place of the words of its kind
+    at: str = ""  # path of the key, or of its table with a point, where it is not that of its owner
+    word: str | None = None  # that may stand in place of the table
 
 
 class Derived(NamedTuple):
@@ -117,7 +118,7 @@ class Derived(NamedTuple):
 
 
 DERIVED = Derived()
-REQUIRED: Any = ...  # in place of a default
+FILLED = InFile(default=None)
 Text = Annotated[str, AnyText()]
 
 
@@ -140,11 +141,15 @@ class Declared(NamedTuple):
     kind: Kind | None
     noun: "type[Noun] | None"  # of the field's value
     meaning: str
-    hint: str
-    at: str
+    in_file: InFile
     is_derived: bool
     is_mapping: bool  # of names to values of the kind
     others: tuple[type, ...]  # classes whose objects it takes beside a word
+
+    def place(self, name: str, owner: str) -> str:
+        """The path of the key of a field of this name; owner : path of the table of its dataclass."""
+        at = self.in_file.at or (f"{owner}." if owner else "")
+        return at if at and not at.endswith(".") else f"{at}{name}"
 
 
 @cache
@@ -165,8 +170,7 @@ def declared_of(hint: Any) -> Declared:
         kind=kinds[0] if kinds else Word(words) if words else None,
         noun=next((each for each in classes if issubclass(each, Noun)), None),
         meaning=next((note for note in notes if isinstance(note, str)), ""),
-        hint=next((note.text for note in notes if isinstance(note, Hint)), ""),
-        at=next((note.path for note in notes if isinstance(note, At)), ""),
+        in_file=next((note for note in notes if isinstance(note, InFile)), InFile()),
         is_derived=any(isinstance(note, Derived) for note in notes),
         is_mapping=is_mapping,
         others=tuple(classes),
@@ -274,8 +278,9 @@ class Table:
 
     path: str  # empty: the file
     hint: str
-    is_required: bool = False
+    default: Any = None  # REQUIRED: the file needs it; of a material its name
     word: str | None = None  # that may stand in its place
+    noun: type | None = None  # that declares it
     keys: dict[str, "Key | Table"] = field(default_factory=dict)
 
     def add(self, entry: "Key | Table") -> None:
@@ -300,11 +305,11 @@ class Table:
         within = inside if isinstance(inside, Table) else getattr(inside.kind, "inside", None)
         return None if within is None else within.find(rest)
 
-    def tables(self) -> Iterator[str]:
-        """The paths of all tables inside."""
+    def tables(self) -> Iterator["Table"]:
+        """All tables inside."""
         for entry in self.keys.values():
             if isinstance(entry, Table):
-                yield entry.path
+                yield entry
                 yield from entry.tables()
 
     def paths(self) -> Iterator[str]:
@@ -319,22 +324,17 @@ class Table:
 
 def declared_table(noun: type, path: str = "") -> Table:
     """The table of the keys that a dataclass declares."""
-    table = Table(path=path, hint=getattr(noun, "HINT", ""))
+    table = Table(path=path, hint=getattr(noun, "HINT", ""), noun=noun)
     for each in fields(noun):
         said = declarations(noun)[each.name]
-        place = said.at or f"{path}.{each.name}".lstrip(".")
+        of_file, place = said.in_file, said.place(each.name, path)
         if said.is_derived or said.is_mapping:
             continue
         if said.noun is not None and is_dataclass(said.noun):
-            table.add(declared_table(said.noun, place))
+            default = None if of_file.default is AS_IN_PYTHON else of_file.default
+            table.add(replace(declared_table(said.noun, place), default=default, word=of_file.word))
         elif said.kind is not None:
-            table.add(
-                Key(
-                    path=place,
-                    kind=said.kind,
-                    default=REQUIRED if each.default is MISSING else each.default,
-                    meaning=said.meaning,
-                    hint=said.hint,
-                )
-            )
+            own = REQUIRED if each.default is MISSING else each.default
+            default = own if of_file.default is AS_IN_PYTHON else of_file.default
+            table.add(Key(path=place, kind=said.kind, default=default, meaning=said.meaning, hint=of_file.hint))
     return table

@@ -35,7 +35,7 @@ class OperatingOptions(TypedDict, total=False):
 class SceneOptions(OperatingOptions, total=False):
     """What `analytic.load_scene` takes beside a name."""
 
-    measured: str | os.PathLike[str]
+    measured: str | os.PathLike[str] | None
     settings: Mapping[str, Any]
 
 

@@ -89,10 +89,7 @@ def _common() -> dict[str, Unit]:
     """The units that scenes use. With Decimal "7.94 mm" is 0.00794 to the last digit."""
     pi = Decimal("3.14159265358979323846264338328")
     kinds: tuple[tuple[dict[str, int], dict[str, str | Decimal]], ...] = (
-        (
-            {"meter": 1},
-            {"m": "1", "cm": "1e-2", "mm": "1e-3", "um": "1e-6", "µm": "1e-6", "nm": "1e-9"},
-        ),
+        ({"meter": 1}, {"m": "1", "cm": "1e-2", "mm": "1e-3", "um": "1e-6", "µm": "1e-6", "nm": "1e-9"}),
         ({"gram": 1}, {"kg": "1e3", "g": "1", "mg": "1e-3"}),
         ({"meter": 3}, {"l": "1e-3", "ml": "1e-6"}),
         ({"second": 1}, {"s": "1", "ms": "1e-3", "min": "60"}),
@@ -100,10 +97,7 @@ def _common() -> dict[str, Unit]:
         ({"radian": 1}, {"rad": "1", "mrad": "1e-3", "deg": pi / 180}),
         ({"radian": 1, "second": -1}, {"rpm": pi / 30}),
         ({"gram": 1, "meter": 1, "second": -2}, {"N": "1e3", "kN": "1e6", "MN": "1e9", "mN": "1"}),
-        (
-            {"gram": 1, "meter": -1, "second": -2},
-            {"Pa": "1e3", "mPa": "1", "kPa": "1e6", "MPa": "1e9", "GPa": "1e12"},
-        ),
+        ({"gram": 1, "meter": -1, "second": -2}, {"Pa": "1e3", "mPa": "1", "kPa": "1e6", "MPa": "1e9", "GPa": "1e12"}),
         ({"gram": 1, "meter": 2, "second": -3}, {"W": "1e3"}),
         ({"meter": 2, "second": -1}, {"cSt": "1e-6"}),
         ({}, {"%": "1e-2", "percent": "1e-2"}),

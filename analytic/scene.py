@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.brief import points_of
-from analytic.declared import DERIVED, At, Hint, Noun, Switch, Text, Whole, nothing
+from analytic.declared import DERIVED, FILLED, REQUIRED, InFile, Noun, Switch, Text, Whole, nothing
 from analytic.errors import InputError, real_numbers, require_positive
 from analytic.given import Supply, UnitSystem
 from analytic.quantity import Dimension, QuantityOrWord, Series
@@ -119,6 +119,7 @@ Share = Annotated[float, _quantity("", 0, 1, '"2 %"')]
 Tolerance = Annotated[float, _quantity("", 1e-6, 1, '"5 %"')]
 Resistance = Annotated[float, _quantity("K/W", 0, 1e6, '"0.5 K/W"')]
 OnOff = Annotated[bool, Switch()]
+OF_FRICTION = InFile(at="friction.")
 THRUSTS, SIDES, MOMENTS, SPEEDS = (Series(of=get_args(kind)[1]) for kind in (Thrust, Side, Moment, Speed))
 
 
@@ -126,11 +127,11 @@ THRUSTS, SIDES, MOMENTS, SPEEDS = (Series(of=get_args(kind)[1]) for kind in (Thr
 class Material(Noun):
     """An isotropic elastic solid."""
 
-    name: Annotated[Text, "of the catalog, or any other"]
+    name: Annotated[Text, InFile("unnamed"), "of the catalog, or any other"]
     youngs_modulus: Annotated[Modulus, "E, of elasticity"]
     poisson_ratio: Annotated[PoissonRatio, "nu, transverse strain over axial strain"]
     density: Annotated[MaterialDensity, "mass over volume"]
-    source: Annotated[Text, "where the numbers come from"]
+    source: Annotated[Text, InFile("the scene file"), "where the numbers come from"]
     hardness: Annotated[Hardness | None, "of indentation, H"] = None
     thermal_expansion: Annotated[Expansion | None, "of length"] = None
 
@@ -153,10 +154,10 @@ class Groove(Noun):
     """
 
     HINT = "give a table of conformity, bottom_radius ..."
-    bottom_radius: Annotated[Length, "bearing axis to the bottom of the groove"]
-    groove_radius: Annotated[Length, "r_g, of the profile of the groove"]
-    shoulder_half_width: Annotated[Length | None, "bottom of the groove to the near shoulder, along the axis"]
-    material: Material
+    bottom_radius: Annotated[Length, FILLED, "bearing axis to the bottom of the groove"]
+    groove_radius: Annotated[Length, FILLED, "r_g, of the profile of the groove"]
+    shoulder_half_width: Annotated[Length | None, FILLED, "bottom of the groove to the near shoulder, along the axis"]
+    material: Annotated[Material, InFile("steel")]
     far_shoulder_half_width: Annotated[Width | None, "likewise to the far shoulder; without it as the near one"] = None
 
     @property
@@ -181,23 +182,26 @@ class Cage(Noun):
     """The ball cage: a sheet with a spherical pocket around each ball, and how it moves."""
 
     HINT = 'give a table [cage] of pocket_clearance, wall_thickness, mass and material, or cage = "none"'
-    pocket_diameter: Annotated[Length, "of the sphere of a pocket, D_p"]
-    pocket_depth: Annotated[Length, "pole of a half pocket to the plane of both halves, k"]
+    pocket_diameter: Annotated[Length, FILLED, "of the sphere of a pocket, D_p"]
+    pocket_depth: Annotated[Length, FILLED, "pole of a half pocket to the plane of both halves, k"]
     wall_thickness: Annotated[Length, "of the sheet"]
     mass: Annotated[Mass, "of the whole cage"]
-    material: Material
+    material: Annotated[Material, InFile(REQUIRED)]
     pocket_axis: Annotated[PocketAxis, "line through the centres of both half-shells; axial in a stamped cage"] = (
         "axial"
     )
-    pocket_stiffness: Annotated[float | None, DERIVED] = (
-        None  # K_pb, N/m^1.5, by finite elements or a test; None: by Hertz
-    )
+    # K_pb, N/m^1.5, by finite elements or a test; None: by Hertz
+    pocket_stiffness: Annotated[float | None, DERIVED] = None
     sheet_stiffness: Annotated[
         Stiffness | None, "of the sheet in series with the pocket's contact; without it rigid"
     ] = None
     friction_coefficient: Annotated[Friction | None, "of ball on pocket; without it that of the races"] = None
     restitution: Annotated[Restitution, "share of the speed that remains after an impact; assumed"] = 0.8
-    start: Annotated[CageStart | None, "how the motion begins; without it the cage rests on its balls"] = None
+    start: Annotated[
+        CageStart | None,
+        InFile(hint='give "rest", "ramp", "sudden" or "whirl"'),
+        "how the motion begins; without it the cage rests on its balls",
+    ] = None
     seeds: Annotated[Seeds, "motions from slightly different beginnings"] = 4
     duration: Annotated[
         Duration, "measured time of each, s: ten swings of a cage at rest, a hundred turns of a whirl"
@@ -206,9 +210,8 @@ class Cage(Noun):
     gravity: Annotated[CageGravity, "against the axis: across is -y, along is -z"] = "across"
     drag: Annotated[CageDrag, "braking torque of the surrounding oil over the speed of the cage"] = 0.0
     land: Land | None = None
-    gives_way: Annotated[bool, DERIVED] = (
-        False  # at rest to balls that lead and lag: they do not squeeze it, as nobody knows its pockets
-    )
+    # At rest to balls that lead and lag: they do not squeeze it, as nobody knows its pockets
+    gives_way: Annotated[bool, DERIVED] = False
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by key; empty: not noted
 
 
@@ -217,15 +220,15 @@ class Bearing(Noun):
     """A ball bearing: radial, or a thrust bearing of two equal washers at 90 degrees, of which `inner` turns."""
 
     HINT = 'give a table [bearing] with catalog = "paper_6205" or every dimension'
-    name: Annotated[Text, "shown with results"]
+    name: Annotated[Text, FILLED, "shown with results; that of the catalogue without"]
     ball_count: Annotated[
-        Count, Hint("give a whole number, for example 9, or a bearing of the " + CATALOGUE), "number of balls, Z"
+        Count, InFile(hint="give a whole number, for example 9, or a bearing of the " + CATALOGUE), "number of balls, Z"
     ]
     ball_diameter: Annotated[
-        Length, Hint('give for example "7.94 mm", or a bearing of the ' + CATALOGUE), "of every ball, D"
+        Length, InFile(hint='give for example "7.94 mm", or a bearing of the ' + CATALOGUE), "of every ball, D"
     ]
-    ball_mass: Annotated[Mass, "of one ball"]
-    ball_material: Material
+    ball_mass: Annotated[Mass, FILLED, "of one ball"]
+    ball_material: Annotated[Material, InFile("steel")]
     inner: Groove
     outer: Groove
     bore_diameter: Annotated[Length | None, "where the inner ring sits on its shaft"] = None
@@ -241,9 +244,8 @@ class Bearing(Noun):
     seals_rub: Annotated[bool, DERIVED] = False  # whether they touch the inner ring and brake it
     grade: Annotated[Grade | None, DERIVED] = None  # of what the catalogue derives; None: not of the catalogue
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # of the dimensions, by their keys
-    other_candidate: Annotated["Bearing | None", DERIVED] = (
-        None  # that the ratings fit nearly as well; None: the catalogue is sure
-    )
+    # That the ratings fit nearly as well; None: the catalogue is sure
+    other_candidate: Annotated["Bearing | None", DERIVED] = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -309,7 +311,9 @@ class Arrangement(Noun):
     """
 
     HINT = 'give a table [arrangement] of kind = "O" and preload = "100 N", or leave it out'
-    kind: Annotated[ArrangementKind, Hint('give "O" (back to back, DB), "X" (face to face, DF) or "tandem" (DT)')]
+    kind: Annotated[
+        ArrangementKind, InFile(hint='give "O" (back to back, DB), "X" (face to face, DF) or "tandem" (DT)')
+    ]
     preload: Annotated[Force | None, "axial force in the mounted pair at standstill"] = None
     offset: Annotated[Gap | None, "axial distance that clamping closes, of the pair"] = None
     distance: Annotated[Length | None, "between the middles of both bearings; without it the width"] = None
@@ -335,7 +339,7 @@ class ContactAngle(Noun):
     """
 
     HINT = 'give { rule = "solved" }, { nominal = "15 deg" } or { rule = "given", value = "0.18 rad" }'
-    rule: Annotated[Literal["solved", "given"], "solved: it follows from the load"]
+    rule: Annotated[Literal["solved", "given"], InFile("solved"), "solved: it follows from the load"]
     value: Annotated[Angle | None, "under load"] = None
     free: Annotated[Angle | None, "unloaded, whatever the clearance is"] = None
 
@@ -387,13 +391,13 @@ class Lubricant(Noun):
         default="", compare=False
     )
     viscosity: Annotated[DynamicViscosity, "eta_0, at the reference temperature and ambient pressure"]
-    pressure_viscosity: Annotated[PressureViscosity, "alpha_p = d ln(eta)/dp there"]
-    viscosity_temperature: Annotated[ThermalSlope, "beta = -d ln(eta)/dT there"]
-    reference_temperature: Annotated[Temperature, "of a viscosity without a temperature of its own"]
-    temperature: Annotated[Temperature, "of the oil at the inlet of a contact"]
-    thermal_conductivity: Annotated[Conductivity, "of the oil, k_f"]
-    density: Annotated[OilDensity, "mass over volume"]
-    limiting_shear: Annotated[LimitingShear, "Lambda, ratio of the largest shear stress to the pressure"]
+    pressure_viscosity: Annotated[PressureViscosity, FILLED, "alpha_p = d ln(eta)/dp there"]
+    viscosity_temperature: Annotated[ThermalSlope, FILLED, "beta = -d ln(eta)/dT there"]
+    reference_temperature: Annotated[Temperature, FILLED, "of a viscosity without a temperature of its own"]
+    temperature: Annotated[Temperature, FILLED, "of the oil at the inlet of a contact"]
+    thermal_conductivity: Annotated[Conductivity, FILLED, "of the oil, k_f"]
+    density: Annotated[OilDensity, FILLED, "mass over volume"]
+    limiting_shear: Annotated[LimitingShear, FILLED, "Lambda, ratio of the largest shear stress to the pressure"]
     traction: Annotated[Traction | OwnTraction, "law of the shear stress"]
     eyring_stress: Annotated[
         EyringStress | None, "tau_E, at any pressure; without it 2 Lambda/alpha at the pressure of each point"
@@ -403,7 +407,7 @@ class Lubricant(Noun):
     # Standard deviation of the logarithm of the shear stress; 0.5: the kind of oil is not known
     traction_spread: float = field(default=0.5, compare=False)
     supply: Annotated[Supply, "how oil returns to the track"] = "oil_bath"
-    surface_tension: Annotated[SurfaceTension, "of the oil that bleeds from a grease"] = 0.022
+    surface_tension: Annotated[SurfaceTension, FILLED, "of the oil that bleeds from a grease"] = 0.022
     starvation_degree: Annotated[
         StarvationDegree | None, "meniscus to centre over the semi-axis along rolling; without it by the supply"
     ] = None
@@ -464,9 +468,9 @@ class HeightMapFile(Noun):
 
     HINT = 'give { path = "race.npy", spacing = "2 um" }'
     path: Annotated[
-        Text, Hint("give the path of a .npy, .csv (heights in m) or .x3p file, from the scene file's folder")
+        Text, InFile(hint="give the path of a .npy, .csv (heights in m) or .x3p file, from the scene file's folder")
     ]
-    spacing: Annotated[Spacing, "of neighbouring points in both directions"]
+    spacing: Annotated[Spacing, FILLED, "of neighbouring points in both directions"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -486,7 +490,7 @@ class Surface(Noun):
     gap: Annotated[
         GapModel, "room for the oil: between surfaces that deform, or that are cut off where they overlap"
     ] = "elastic"
-    asperities: Annotated[AsperityLaw, "of truncated surfaces; greenwood_williamson: they never yield"] = (
+    asperities: Annotated[AsperityLaw, FILLED, "of truncated surfaces; greenwood_williamson: they never yield"] = (
         "zhao_maietta_chang"
     )
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
@@ -545,11 +549,11 @@ class Operation(Noun):
     """The operating points of a series; every array has the same shape (n,)."""
 
     HINT = "give a table [operation] with inner_speed and a load, axial_load for example"
-    axial_load: Annotated[Array, THRUSTS, "along the shaft"]
-    inner_speed: Annotated[Array, SPEEDS, Hint('give for example "300 rpm"'), "w; the outer ring stands still"]
-    radial_load: Annotated[Array | float, SIDES, "along x, which points to the first ball"] = 0.0
+    axial_load: Annotated[Array, THRUSTS, InFile([0.0]), "along the shaft"]
+    inner_speed: Annotated[Array, SPEEDS, InFile(hint='give for example "300 rpm"'), "w; the outer ring stands still"]
+    radial_load: Annotated[Array | float, SIDES, InFile([0.0]), "along x, which points to the first ball"] = 0.0
     moment: Annotated[
-        Array | float, MOMENTS, "about y; it tilts the +x side of the inner ring against the axial load"
+        Array | float, MOMENTS, InFile([0.0]), "about y; it tilts the +x side of the inner ring against the axial load"
     ] = 0.0
     # Of the inner ring about y at every point, rad. Free: it follows from the moment. None: free under a moment, else 0
     tilt: Annotated[Tilt | None, "about y, at which the inner ring is held"] = None
@@ -659,37 +663,34 @@ class ReportDetails(Noun):
 class Scene(Noun):
     """A bearing, its operating points, and the accuracy of the result."""
 
-    bearing: Bearing
-    operation: Operation
-    name: Annotated[Text, "shown with results"] = "scene"
-    tolerance: Annotated[Tolerance, "of the torque, relative"] = 0.05
-    contact_angle: Annotated[ContactAngle, At("bearing.contact_angle")] = ContactAngle(rule="solved")
-    clearances: Annotated[Clearances | None, DERIVED] = (
-        None  # on the way to `bearing`, which is in operation; None: no seats are given
-    )
+    bearing: Annotated[Bearing, InFile(REQUIRED)]
+    operation: Annotated[Operation, InFile(REQUIRED)]
+    name: Annotated[Text, InFile(REQUIRED), "shown with results"] = "scene"
+    tolerance: Annotated[Tolerance, InFile(REQUIRED), "of the torque, relative"] = 0.05
+    contact_angle: Annotated[ContactAngle, InFile(at="bearing.")] = ContactAngle(rule="solved")
+    # On the way to `bearing`, which is in operation; None: no seats are given
+    clearances: Annotated[Clearances | None, DERIVED] = None
     arrangement: Arrangement | None = None  # of two such bearings, which share the loads; None: one bearing
-    cage: Cage | None = None  # None: no cage term and no pocket contact
+    cage: Annotated[Cage | None, InFile(word="none")] = None  # None: no cage term and no pocket contact
     lubricant: Lubricant | None = None  # None: unknown
     surface: Surface | None = None  # None: unknown
     friction_coefficient: Annotated[
-        Friction | None, At("friction.coefficient"), "mu of every race contact, in place of oil and surface"
+        Friction | None, InFile(at="friction.coefficient"), "mu of every race contact, in place of oil and surface"
     ] = None
     hysteresis_loss: Annotated[
-        LossFactor | None, At("friction.hysteresis_loss"), "alpha', share of the elastic energy lost in each cycle"
+        LossFactor | None, OF_FRICTION, "alpha', share of the elastic energy lost in each cycle"
     ] = None  # None: USUAL_LOSS
-    elastic_rolling: Annotated[ElasticRolling, At("friction.elastic_rolling"), "law of the loss by elastic rolling"] = (
-        "hysteresis"  # see `analytic.oil.rolling`
-    )
+    # See `analytic.oil.rolling`
+    elastic_rolling: Annotated[ElasticRolling, OF_FRICTION, "law of the loss by elastic rolling"] = "hysteresis"
     losses: Losses = Losses()
-    spin_rule: Annotated[SpinRule, At("friction.spin_rule"), "how a ball turns; free: by mechanics"] = "free"
-    microslip: Annotated[Microslip, At("friction.microslip"), "as_printed: of the paper with its misprints"] = "derived"
+    spin_rule: Annotated[SpinRule, OF_FRICTION, "how a ball turns; free: by mechanics"] = "free"
+    microslip: Annotated[Microslip, OF_FRICTION, "as_printed: of the paper with its misprints"] = "derived"
     effects: Mapping[str, Decision] = field(default_factory=nothing)  # by their names; those left out are `auto`
     uncertainty: Mapping[str, float] = field(default_factory=nothing)  # SI, see `analytic.scenefile.inputs`
     assumed: Mapping[str, str] = field(default_factory=nothing)  # sources, by key
-    calibration: Annotated[Text | None, Hint("give the inputs that were fitted, and to which numbers")] = None
-    down: Annotated[tuple[float, float, float] | None, DERIVED] = (
-        None  # unit vector of gravity along x, y, z; None: assumed along x
-    )
+    calibration: Annotated[Text | None, InFile(hint="give the inputs that were fitted, and to which numbers")] = None
+    # Unit vector of gravity along x, y, z; None: assumed along x
+    down: Annotated[tuple[float, float, float] | None, DERIVED] = None
     warnings: tuple[str, ...] = ()  # from reading the scene
     # Values of a bearing of the catalogue that nobody gave, by key, as a file has them
     usual: Mapping[str, str] = field(default_factory=nothing, compare=False)

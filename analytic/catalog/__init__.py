@@ -60,17 +60,6 @@ def spelling(name: str) -> str:
     return re.sub(r"^(iso|grease)|mineral$", "", re.sub(r"[\W_]", "", name.lower()))
 
 
-def description(table: Literal["oils", "materials"], name: str) -> str:
-    """One line on an oil or a material of the catalog."""
-    if table == "materials":
-        return str(entry("materials", name)["source"])
-    row = rows("oils")[name]
-    hot = row["viscosity_100 [mm^2/s]"]
-    base = f"base oil {row['base oil']}" if row["kind"] == "grease" else row["base oil"]
-    viscosities = f"{row['viscosity_40 [mm^2/s]']} mm2/s at 40 degC" + (f", {hot} at 100 degC" if hot else "")
-    return f"{row['kind']}, {base}, {viscosities}"
-
-
 @cache
 def _spellings(table: Literal["oils", "materials"]) -> Mapping[str, str]:
     if table == "oils":

@@ -15,9 +15,8 @@ from functools import cache, partial
 from importlib.resources import files
 from typing import Literal, cast
 
-from analytic.catalog.designation import Designation, plain_name, read_designation, read_maker
+from analytic.catalog.designation import Designation, other_kind, plain_name, read_designation, read_maker
 from analytic.catalog.origins import INNER_CONFORMITY, OUTER_CONFORMITY, half_width, origins_of
-from analytic.catalog.other_kinds import other_kind
 from analytic.catalog.suffixes import Suffix, clearance_of
 from analytic.declared import read_only
 from analytic.errors import InputError
@@ -54,7 +53,6 @@ class CatalogBearing:
     far_half_width: tuple[float | None, float | None]  # of the shoulders that thrust does not load, m; None: as far
     dynamic_load_rating: float  # C, N
     static_load_rating: float  # C0, N
-    f0: float | None  # the maker's factor for axial loads
     grade: Grade
     ball_material: str  # by its name in the catalogue
     origins: Mapping[str, Origin]  # by scene key
@@ -255,7 +253,6 @@ def _bearing(found: Designation, main: Row, row: Row) -> CatalogBearing:
         far_half_width=(widths[0], 0.0) if one_sided else (None, None),
         dynamic_load_rating=float(row["dynamic_rating_N"]),
         static_load_rating=float(row["static_rating_N"]),
-        f0=float(row["f0"]) if row["f0"] else None,
         grade=cast(Grade, row["grade"]),
         ball_material=SILICON_NITRIDE if ceramic else BEARING_STEEL,
         origins=read_only(origins),

@@ -23,13 +23,7 @@ from analytic.contact.finite_geometry_fit import (
     limits,
     shape_on,
 )
-from analytic.contact.geometry import (
-    USUAL_SHOULDERS,
-    Race,
-    race_numbers,
-    require_contact_angle,
-    with_shoulders,
-)
+from analytic.contact.geometry import USUAL_SHOULDERS, Race, race_numbers, require_contact_angle, with_shoulders
 from analytic.contact.hertz import ball_share, contact_modulus, hertz_contact
 from analytic.numerics.elements import rows_of
 from analytic.numerics.records import record_of

@@ -106,10 +106,7 @@ def distances_to_shoulders(
     near, far = shoulders
     angle = abs(contact_angle) - race.bottom_angle
     towards, away = (far, near) if contact_angle < 0 else (near, far)
-    return (
-        race.groove_radius * np.sin(towards - angle),
-        race.groove_radius * np.sin(min(away + angle, np.pi / 2)),
-    )
+    return (race.groove_radius * np.sin(towards - angle), race.groove_radius * np.sin(min(away + angle, np.pi / 2)))
 
 
 @compiled
@@ -244,10 +241,7 @@ def _ring(bearing: Bearing, race: Race, half_widths: tuple[float, float]) -> Rin
     if seat is None or bearing.width is None or bearing.kind == "thrust":
         return None
     return Ring(
-        bottom_radius=groove.bottom_radius,
-        seat_radius=seat / 2,
-        width=bearing.width,
-        shoulder_half_widths=half_widths,
+        bottom_radius=groove.bottom_radius, seat_radius=seat / 2, width=bearing.width, shoulder_half_widths=half_widths
     )
 
 

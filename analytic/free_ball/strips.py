@@ -58,13 +58,7 @@ def turned_stress(reach, sizes, stress, slope, compliance, lean):
 
 
 @entry(
-    lambda: {
-        "contact": CONTACT_STATE,
-        "flow": (float, float, float),
-        "quadrature": QUADRATURE,
-        "flows": 3,
-        "state": 1,
-    },
+    lambda: {"contact": CONTACT_STATE, "flow": (float, float, float), "quadrature": QUADRATURE, "flows": 3, "state": 1},
     fastmath=FAST,
 )
 def march_strips(contact, flow, quadrature, flows, state):

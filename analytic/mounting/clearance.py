@@ -19,7 +19,7 @@ import numpy as np
 
 from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import contact_modulus, hertz_contact
-from analytic.declared import Noun
+from analytic.declared import FILLED, InFile, Noun
 from analytic.errors import InputError, require_finite
 from analytic.mounting.thick_ring import ThickRing, fit_pressure
 from analytic.scene import Bearing, Clearances, Groove, Interference, Length, Material, Temperature, Width
@@ -37,14 +37,14 @@ class Mounting(Noun):
     """
 
     HINT = "give a table [mounting] of seats and temperatures"
-    shaft_material: Material
-    housing_material: Material
+    shaft_material: Annotated[Material, InFile("steel")]
+    housing_material: Annotated[Material, InFile("steel")]
     shaft_interference: Annotated[Interference, "on the diameter; negative: loose"] = 0.0
     housing_interference: Annotated[Interference, "likewise"] = 0.0
     shaft_bore: Annotated[Width, "diameter; 0: a solid shaft"] = 0.0
     housing_outside_diameter: Annotated[Length | None, "without one the housing has no end"] = None
-    inner_temperature: Annotated[Temperature, "of inner ring and shaft"] = REFERENCE_TEMPERATURE
-    outer_temperature: Annotated[Temperature, "of outer ring and housing"] = REFERENCE_TEMPERATURE
+    inner_temperature: Annotated[Temperature, FILLED, "of inner ring and shaft"] = REFERENCE_TEMPERATURE
+    outer_temperature: Annotated[Temperature, FILLED, "of outer ring and housing"] = REFERENCE_TEMPERATURE
     ball_temperature: Annotated[Temperature | None, "without it the mean of both rings"] = None
     mounting_temperature: Temperature = REFERENCE_TEMPERATURE
 
@@ -77,28 +77,10 @@ class Seat(NamedTuple):
 def mounted(bearing: Bearing, mounting: Mounting) -> tuple[Bearing, Clearances]:
     """The bearing in operation, on its seats and at its temperatures, and its clearances.
 
-    Parameters
-    ----------
-    bearing : Bearing
-        As delivered, every dimension at the mounting temperature, m.
-    mounting : Mounting
-        Seats, m, and temperatures, K.
-
-    Returns
-    -------
-    bearing : Bearing
-        Every dimension of rings and balls is that in operation; bore, outside diameter and width stay nominal.
-    clearances : Clearances
-        On the diameter, m, and what the seats do.
-
-    Raises
-    ------
-    InputError
-        For what `mounting_faults` finds.
-
-    Notes
-    -----
-    Rings are thick rings by Lamé, which end at the bottom of their groove.
+    bearing : as delivered, every dimension at the mounting temperature
+    Every dimension of rings and balls is then that in operation; bore, outside diameter and width stay nominal. Rings
+    are thick rings by Lamé, which end at the bottom of their groove.
+    Raises InputError for what `mounting_faults` finds.
     Sources: [Timoshenko1970], [Harris2007] section 3.
     """
     for key, problem in mounting_faults(bearing, mounting):

@@ -155,14 +155,7 @@ def thinned(film: FilmAsymptotes, log_factor: float) -> FilmAsymptotes:
         rigid, elastic = log_factor + film.rigid, log_factor + film.elastic
         unloaded, piezoviscous = log_factor + film.unloaded, log_factor + film.piezoviscous
     return FilmAsymptotes(
-        rigid,
-        elastic,
-        unloaded,
-        piezoviscous,
-        film.elastic_ratio,
-        film.clearance,
-        film.ellipticity,
-        film.peak_pressure,
+        rigid, elastic, unloaded, piezoviscous, film.elastic_ratio, film.clearance, film.ellipticity, film.peak_pressure
     )
 
 

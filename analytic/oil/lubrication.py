@@ -60,12 +60,7 @@ class LubricatedContact(NamedTuple):
 
 @compiled
 def rolling_force_of(
-    contact: ContactNumbers,
-    inflow: Inflow,
-    regime: Regime,
-    supply: OilSupply,
-    fitted: bool,
-    houpert: bool,
+    contact: ContactNumbers, inflow: Inflow, regime: Regime, supply: OilSupply, fitted: bool, houpert: bool
 ) -> tuple[float, float, bool]:
     """f of a flooded, isothermal contact, N; the share of the fit in it; whether the closed formula is extrapolated.
 

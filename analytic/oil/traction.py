@@ -49,9 +49,6 @@ class PointLaw(NamedTuple):
     own: float = 0.0  # address of the table of a user's law, see `analytic.oil.law_table`; 0: Eyring's law
 
 
-LAW = len(PointLaw._fields)  # numbers of a law
-
-
 @compiled
 def flow_under(law: PointLaw, pressure: float) -> tuple[float, float]:
     """Fluidity, s/m, and Eyring stress, Pa, of a law with oil at the pressure p, Pa."""

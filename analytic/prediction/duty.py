@@ -26,10 +26,8 @@ from analytic.prediction.steady import SteadyTemperature, steady_temperature, wi
 from analytic.result import FrictionTorque
 from analytic.rows import NotNegative, OperatingPoint, Positive
 from analytic.scene import Array, Scene
-from analytic.scenefile.by_temperature import SceneByTemperature
-from analytic.scenefile.columns import operating_points, require_loads
-from analytic.scenefile.cycle import Cycle, read_cycle
-from analytic.scenefile.read import any_by_temperature
+from analytic.scenefile.columns import Cycle, operating_points, read_cycle, require_loads
+from analytic.scenefile.read import SceneByTemperature, load_by_temperature
 from analytic.torque import friction_torque
 from analytic.words import torque_of
 
@@ -146,7 +144,7 @@ def duty_cycle(
     The interval is to first order, with the errors of each input the same in all steps.
     """
     read = read_cycle(cycle)
-    return cycle_with_torques(any_by_temperature(scene, columns=vars(read), **given), read)[0]
+    return cycle_with_torques(load_by_temperature(scene, columns=vars(read), **given), read)[0]
 
 
 def cycle_with_torques(found: SceneByTemperature, cycle: Cycle) -> tuple[DutyCycle, Torques]:

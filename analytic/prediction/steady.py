@@ -16,8 +16,7 @@ from analytic.declared import read_only
 from analytic.errors import InputError, SingularError
 from analytic.given import SceneOptions
 from analytic.scene import Origin, Scene, Thermal
-from analytic.scenefile.by_temperature import ZERO_CELSIUS, SceneByTemperature
-from analytic.scenefile.read import any_by_temperature
+from analytic.scenefile.read import ZERO_CELSIUS, SceneByTemperature, load_by_temperature
 from analytic.torque import friction_torque
 
 STEP = 10.0  # K: two steady temperatures that lie nearer to each other than this may be missed together
@@ -71,7 +70,7 @@ def steady_scene(scene: str | os.PathLike[str] | Scene, **given: Unpack[SceneOpt
     resistance is that of the whole bearing in its place, and no formula here gives it.
     Source: the balance of heat.
     """
-    return at_steady_temperature(any_by_temperature(scene, **given))
+    return at_steady_temperature(load_by_temperature(scene, **given))
 
 
 def at_steady_temperature(found: SceneByTemperature) -> Scene:

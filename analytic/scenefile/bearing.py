@@ -14,10 +14,10 @@ from analytic import catalog
 from analytic.catalog.bearing_rows import BEARING_STEEL, CatalogBearing, find_bearing
 from analytic.catalog.suffixes import seal_contact
 from analytic.declared import read_only
-from analytic.scene import Bearing, Groove, Origin
+from analytic.scene import Bearing, Origin
 from analytic.scenefile.fill import BALL, BOTTOMS, GAP, PITCH, RIVALS, rivals_of
-from analytic.scenefile.keys import RINGS, Values, catalog_solid, read_document, scene_table
-from analytic.scenefile.usual_cage import assumed_cage
+from analytic.scenefile.keys import GIVEN, RINGS, Values, catalog_solid, read_document, scene_table
+from analytic.scenefile.usual import assumed_cage
 
 OF_RADIAL = ("bottom_radius", "shoulder_diameter", "far_shoulder_diameter")  # keys of rings that washers do not have
 MATERIALS = ("ball_material", *(f"{ring}.material" for ring in RINGS))
@@ -41,42 +41,38 @@ def instead_of(key: str) -> tuple[tuple[str, ...], ...]:
     return same + both
 
 
-def catalog_row(values: Values) -> CatalogBearing | None:
-    """The catalogue's row of the scene's bearing; None where the scene names none, or one that has its own file."""
-    name = values["bearing.catalog"]
-    return None if name is None or name in catalog.names("bearings") else find_bearing(name)
+def fill_from_catalog(v: Values) -> None:
+    """Put what the catalogue has on bearing and cage into the values, and its row of the bearing.
 
-
-def fill_from_catalog(values: Values, row: CatalogBearing | None) -> Iterator[tuple[str, str]]:
-    """Put what the catalogue has on bearing and cage into the values; (path, problem) of a cage that it does not have.
-
-    A key that the document gives, or whose rivals it gives, stays.
+    A key that the document gives, or whose rivals it gives, stays. A bearing with its own file has no row.
     """
-    entry = {} if values["bearing.catalog"] is None else _file_entry(values) if row is None else row_entry(row)
+    name, variant = v["bearing.catalog"], v["cage.variant"]
+    entry: dict[str, Any] = {}
+    if name is not None and name in catalog.names("bearings"):
+        entry = _file_entry(v)
+    elif name is not None:
+        v.row = find_bearing(name)
+        entry = _row_entry(v.row) | {"bearing.name": " ".join(name.split())} | _row_cage(v, v.row)
     variants: dict[str, Any] = entry.pop("variants", {})
-    variant = values["cage.variant"]
     if variant is not None and variant not in variants:
         known = f"give one of {', '.join(variants)}" if variants else "this bearing has none"
-        yield "cage.variant", f"is not a variant of the cage; {known}"
+        v.misfits.append(("cage.variant", f"is not a variant of the cage; {known}"))
     elif variant is not None:
         pockets = [f"cage.{key}" for key in ("pocket_clearance", "pocket_diameter", "pocket_depth", "pocket_approach")]
-        own = [key for key in pockets if key in values.said]
+        own = [key for key in pockets if key in v.said]
         if own and any(key in pockets for key in variants[variant]):
-            yield own[0], "comes with cage.variant; leave out one of them"
+            v.misfits.append((own[0], "comes with cage.variant; leave out one of them"))
         if "cage.pocket_diameter" in variants[variant]:
             entry.pop("cage.pocket_clearance", None)
         entry |= variants[variant]
-    name = values["bearing.catalog"]
-    if row is not None:
-        entry |= {"bearing.name": " ".join(name.split())} | row_cage(values, row)
-    if values["bearing.kind"] == "thrust":  # whose balls touch at 90 degrees
+    if v["bearing.kind"] == "thrust":  # whose balls touch at 90 degrees
         entry = {key: value for key, value in entry.items() if key not in RIVALS[0]}
     for path, value in entry.items():
-        is_ours = path not in values and (not path.startswith("cage.") or "cage" in values.said)
-        if is_ours and not any(all(key in values.said for key in keys) for keys in instead_of(path)):
-            values[path] = value
-    if row is not None and row.seal_suffixes and "lubricant" in values.said:
-        values.setdefault("lubricant.supply", "grease")  # seals and shields hold grease for life
+        is_ours = path not in v and (not path.startswith("cage.") or "cage" in v.said)
+        if is_ours and not any(all(key in v.said for key in keys) for keys in instead_of(path)):
+            v[path] = value
+    if v.row is not None and v.row.seal_suffixes and "lubricant" in v.said:
+        v.setdefault("lubricant.supply", "grease")  # seals and shields hold grease for life
 
 
 def _file_entry(values: Values) -> dict[str, Any]:
@@ -97,7 +93,7 @@ def _file_entry(values: Values) -> dict[str, Any]:
     }
 
 
-def row_entry(row: CatalogBearing) -> dict[str, Any]:
+def _row_entry(row: CatalogBearing) -> dict[str, Any]:
     """The values of a bearing of the catalogue by their keys, SI."""
     entry: dict[str, Any] = {
         "bearing.ball_count": row.ball_count,
@@ -126,7 +122,7 @@ def row_entry(row: CatalogBearing) -> dict[str, Any]:
     return {key: value for key, value in entry.items() if value is not None}
 
 
-def row_cage(v: Values, row: CatalogBearing) -> dict[str, Any]:
+def _row_cage(v: Values, row: CatalogBearing) -> dict[str, Any]:
     """The usual cage of the scene's balls by its keys, SI; empty: they leave no web."""
     balls = replace(
         row,
@@ -138,7 +134,7 @@ def row_cage(v: Values, row: CatalogBearing) -> dict[str, Any]:
     return {f"cage.{key}": catalog_solid(value) if key == "material" else value for key, value in sizes.items()}
 
 
-def bearing_faults(v: Values, row: CatalogBearing | None) -> Iterator[tuple[str, str]]:
+def bearing_faults(v: Values) -> Iterator[tuple[str, str]]:
     """(path of the key, problem) for what [bearing] lacks, or says twice."""
     both = v["bearing.conformity"]
     for name in RINGS:
@@ -177,6 +173,7 @@ def bearing_faults(v: Values, row: CatalogBearing | None) -> Iterator[tuple[str,
         rivals = ("bearing.pitch_diameter", "bearing.clearance", "bearing.contact_angle.nominal")
         for key in (key for key in rivals if key in v.said):
             yield key, "follows from the bottom_radius of both rings; leave one of them out"
+    row = v.row
     if isinstance(clearance, str) and row is not None and row.nominal_angle is not None:
         angle_of_row = f'contact_angle = {{ nominal = "{np.degrees(row.nominal_angle):g} deg" }}'
         yield "bearing.clearance", f"is a group of deep groove bearings; give {angle_of_row}, or a length"
@@ -216,35 +213,23 @@ def _thrust_faults(v: Values) -> Iterator[tuple[str, str]]:
         yield "bearing.outer.groove_radius", "must be that of the inner ring: a thrust bearing has two equal grooves"
 
 
-def bearing_of(v: Values, row: CatalogBearing | None) -> Bearing:
-    """The bearing of values that the rules have filled; row : of the catalogue"""
-    origin = v.origins.get(GAP)
-    if (
-        origin is not None
-        and row is not None
-        and row.clearance_group is None
-        and isinstance(v["bearing.clearance"], str)
-    ):
-        status = (
-            "printed" if "bearing.clearance" in v.said else "assumed"
-        )  # a designation without a group is that of CN
-        origin = replace(origin, status=status)
-    is_own = row is not None and is_replaced(v, row)
+def bearing_of(v: Values) -> Bearing:
+    """The bearing of values that the rules have filled."""
+    row, origin = v.row, v.origins.get(GAP)
+    if origin and row is not None and row.clearance_group is None and isinstance(v["bearing.clearance"], str):
+        # A designation without a group is that of CN.
+        origin = replace(origin, status="printed" if "bearing.clearance" in v.said else "assumed")
+    is_own = row is not None and _is_replaced(v, row)
     lost = {key for key in RATINGS if f"bearing.{key}" not in v.said} if is_own else set()  # of the original bearing
     name = v["bearing.name"] or v["bearing.catalog"] or "unnamed"
-    origins = _origins(v, row) | ({} if origin is None else {"clearance": origin})
-    grooves = {
-        ring: Groove(**v.fields(Groove, f"bearing.{ring}", material=v[f"bearing.{ring}.material"])) for ring in RINGS
-    }
+    origins = _origins(v) | ({} if origin is None else {"clearance": origin})
     return Bearing(
         **v.fields(
             Bearing,
             "bearing",
             **dict.fromkeys(lost),
-            **grooves,
             name=f"own bearing (from {name})" if is_own and "bearing.name" not in v.said else name,
-            ball_material=v["bearing.ball_material"],
-            series=None if is_own else _series(v, row),
+            series=None if is_own else _series(v),
             seals=None if row is None else row.seals,
             seals_rub=row is not None and any(seal_contact(suffix) != "none" for suffix in row.seal_suffixes),
             grade=None if row is None or is_own else row.grade,
@@ -253,11 +238,11 @@ def bearing_of(v: Values, row: CatalogBearing | None) -> Bearing:
     )
 
 
-def is_replaced(v: Values, row: CatalogBearing) -> bool:
+def _is_replaced(v: Values, row: CatalogBearing) -> bool:
     """Whether the scene gives the row's bearing other balls or other grooves: it is no longer the maker's."""
     grooves = [_conformity(v, ring) for ring in RINGS]
     same_grooves = np.allclose(grooves, row.conformity, rtol=AS_PRINTED, atol=0)
-    return has_other_balls(v, row) or not same_grooves
+    return has_other_balls(v) or not same_grooves
 
 
 def has_own_balls(v: Values) -> bool:
@@ -265,15 +250,18 @@ def has_own_balls(v: Values) -> bool:
     return any(f"bearing.{key}" in v.said for key in BALLS)
 
 
-def has_other_balls(v: Values, row: CatalogBearing) -> bool:
-    """Whether the scene gives the row's bearing other balls."""
-    balls = (v["bearing.ball_count"], v["bearing.ball_diameter"]), (row.ball_count, row.ball_diameter)
-    return has_own_balls(v) and not np.allclose(*balls, rtol=AS_PRINTED, atol=0)
+def has_other_balls(v: Values) -> bool:
+    """Whether the scene gives the catalogue's bearing other balls."""
+    if v.row is None or not has_own_balls(v):
+        return False
+    balls = (v["bearing.ball_count"], v["bearing.ball_diameter"]), (v.row.ball_count, v.row.ball_diameter)
+    return not np.allclose(*balls, rtol=AS_PRINTED, atol=0)
 
 
-def _series(v: Values, row: CatalogBearing | None) -> str | None:
+def _series(v: Values) -> str | None:
     """That of the row, unless the scene gives the bearing other boundary dimensions."""
     sizes = tuple(v[f"bearing.{key}"] for key in ("bore_diameter", "outside_diameter", "width"))
+    row = v.row
     return row.series if row is not None and sizes == (row.bore, row.outside, row.width) else None
 
 
@@ -286,10 +274,10 @@ def _conformity(v: Values, ring: str) -> float:
     return np.nan if known is None else known
 
 
-def _origins(v: Values, row: CatalogBearing | None) -> dict[str, Origin]:
+def _origins(v: Values) -> dict[str, Origin]:
     """Where each dimension comes from: the catalogue's row, or the scene where it gives its own."""
-    origins = dict(row.origins) if row is not None else {}
-    if row is None and v["bearing.catalog"] is not None:
+    origins = dict(v.row.origins) if v.row is not None else {}
+    if v.row is None and v["bearing.catalog"] is not None:
         entry = catalog.entry("bearings", v["bearing.catalog"]).get("origins", {})
         origins = {key: Origin(uncertainty=None, **origin) for key, origin in entry.items()}
     said = set()
@@ -301,8 +289,7 @@ def _origins(v: Values, row: CatalogBearing | None) -> dict[str, Origin]:
             said.add(f"{table.partition('.')[2]}.{_said_by(table, name)}")
     if "inner.bottom_radius" in said:
         said |= {"pitch_diameter", "clearance"}
-    given = Origin(status="given", uncertainty=None, source="the scene")
-    return origins | {key: given for key in sorted(said) if key not in MATERIALS or key in origins}
+    return origins | {key: GIVEN for key in sorted(said) if key not in MATERIALS or key in origins}
 
 
 def _said_by(ring: str, key: str) -> str:

@@ -8,8 +8,8 @@ from collections.abc import Container, Iterator
 import numpy as np
 
 from analytic.loads.numbers import play_and_free_angle
-from analytic.scene import Arrangement, Bearing, Cage, ContactAngle, Groove, Surface
-from analytic.words import angle_of
+from analytic.scene import Arrangement, Bearing, Cage, ContactAngle, Surface
+from analytic.words import MILLIMETRE, angle_of
 
 # Interference on the diameter over the ball diameter: several times that at which a steel race yields (about 0.8 %), so
 # that plastic balls are accepted.
@@ -186,17 +186,12 @@ def _washer_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
         yield "bearing.bore_diameter", f"must be below pitch_diameter {_mm(2 * middle)}"
     if outside is not None and not outside > 2 * middle:
         yield "bearing.outside_diameter", f"must exceed pitch_diameter {_mm(2 * middle)}"
-    for inner_width, outer_width in zip(bearing.inner.half_widths, bearing.outer.half_widths, strict=True):
-        if inner_width is None or outer_width is None:
-            continue
-        inner_rise, outer_rise = _rise(bearing.inner, inner_width), _rise(bearing.outer, outer_width)
-        if not inner_rise + outer_rise < ball:
-            yield (
-                "bearing.inner.shoulder_half_width",
-                f"and that of the outer ring raise the shoulders by {_mm(inner_rise)} and {_mm(outer_rise)}, together "
-                f"more than ball_diameter {_mm(ball)}: the washers touch",
-            )
-            return
+    if rises := _touching_shoulders(bearing):
+        yield (
+            "bearing.inner.shoulder_half_width",
+            f"and that of the outer ring raise the shoulders by {_mm(rises[0])} and {_mm(rises[1])}, together more "
+            f"than ball_diameter {_mm(ball)}: the washers touch",
+        )
 
 
 def _ring_misfits(bearing: Bearing, gap_key: str) -> Iterator[tuple[str, str]]:
@@ -215,19 +210,13 @@ def _ring_misfits(bearing: Bearing, gap_key: str) -> Iterator[tuple[str, str]]:
             f"leaves a diametral clearance of {_mm(clearance)}, which must be below 2 (r_gi + r_go - D) = "
             f"{_mm(2 * distance)}: no contact angle closes it",
         )
-    # The near shoulders, which thrust loads, lie on opposite sides of the ball; each faces the other ring's far one.
-    for inner_width, outer_width in zip(bearing.inner.half_widths, bearing.outer.half_widths[::-1], strict=True):
-        if inner_width is None or outer_width is None:
-            continue
-        inner_land = bearing.inner.bottom_radius + _rise(bearing.inner, inner_width)
-        outer_land = bearing.outer.bottom_radius - _rise(bearing.outer, outer_width)
-        if not inner_land < outer_land:
-            yield (
-                "bearing.inner.shoulder_half_width",
-                f"and that of the outer ring raise the shoulders to radii {_mm(inner_land)} and {_mm(outer_land)}: "
-                "the rings touch",
-            )
-            return
+    if rises := _touching_shoulders(bearing):
+        lands = bearing.inner.bottom_radius + rises[0], bearing.outer.bottom_radius - rises[1]
+        yield (
+            "bearing.inner.shoulder_half_width",
+            f"and that of the outer ring raise the shoulders to radii {_mm(lands[0])} and {_mm(lands[1])}: "
+            "the rings touch",
+        )
 
 
 def _boundary_misfits(bearing: Bearing, own: Container[str]) -> Iterator[tuple[str, str]]:
@@ -253,10 +242,24 @@ def _boundary_misfits(bearing: Bearing, own: Container[str]) -> Iterator[tuple[s
         yield "bearing.width", f"must exceed the wider groove, {_mm(widest)} from shoulder to shoulder"
 
 
-def _rise(ring: Groove, half_width: float) -> float:
-    """Height of a shoulder over the bottom of its groove, m."""
-    return ring.groove_radius - float(np.sqrt(ring.groove_radius**2 - half_width**2))
+def _touching_shoulders(bearing: Bearing) -> tuple[float, float] | None:
+    """Heights over the bottom of the grooves of the first shoulders of both rings that touch, m; None: none do.
+
+    The near shoulders, which thrust loads, face each other on washers. On rings they lie on opposite sides of the ball,
+    and each faces the other ring's far one.
+    """
+    is_thrust = bearing.kind == "thrust"
+    room = bearing.ball_diameter if is_thrust else bearing.outer.bottom_radius - bearing.inner.bottom_radius
+    facing = bearing.outer.half_widths if is_thrust else bearing.outer.half_widths[::-1]
+    for widths in zip(bearing.inner.half_widths, facing, strict=True):
+        inner, outer = (
+            None if width is None else ring.groove_radius - float(np.sqrt(ring.groove_radius**2 - width**2))
+            for ring, width in zip((bearing.inner, bearing.outer), widths, strict=True)
+        )
+        if inner is not None and outer is not None and not inner + outer < room:
+            return inner, outer
+    return None
 
 
 def _mm(length: float) -> str:
-    return f"{length * 1e3:.6g} mm"
+    return MILLIMETRE.written(length, ".6g")

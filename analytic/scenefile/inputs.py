@@ -5,11 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from analytic.declared import Whole
+from analytic.declared import Whole, read_only
 from analytic.errors import InputError
 from analytic.rows import NotNegative
 from analytic.scene import LOSS_SPREAD, Bearing, Cage, Groove, Material, Origin, Scene, Status
-from analytic.scenefile.keys import ASSUMABLE, LARGEST_SHARE, UNCERTAIN, GivenSpread, Values, scene_key
+from analytic.scenefile.keys import ASSUMABLE, GIVEN, NORMAL, UNCERTAIN, Values, scene_key
+from analytic.scenefile.kinds import LARGEST_SHARE, GivenSpread
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,42 +45,36 @@ def unit_of(key: str) -> str:
 def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
     """The inputs with an origin: of bearing, cage, oil and surface, what the scene assumes, and a usual loss factor."""
     known = known_inputs(scene)
-    assumed = {key: replace(known[key], status="assumed", source=scene.assumed[key]) for key in scene.assumed}
-    return tuple((_with_origin(scene) | assumed).values())
+    assumed = {key: replace(known[key], status="assumed", source=source) for key, source in scene.assumed.items()}
+    return tuple(({key: known[key] for key in _with_origin(scene)} | assumed).values())
 
 
 def known_inputs(scene: Scene) -> dict[str, StatedInput]:
     """By key: the inputs with an origin, and the others that a scene may declare as assumed; these count as given."""
-    values: dict[str, float | str | None] = {key: uncertain_value(scene, key) for key in ASSUMABLE if key in UNCERTAIN}
+    values: dict[str, Any] = {key: uncertain_value(scene, key) for key in ASSUMABLE if key in UNCERTAIN}
     if scene.cage is not None:
-        values["cage.pocket_clearance"] = _stated(scene, scene.cage, "pocket_clearance")
-        values["cage.wall_thickness"] = scene.cage.wall_thickness
-        values["cage.material"] = scene.cage.material.name
-        values["cage.start"] = scene.cage.start
-    others = {
-        key: StatedInput(key=key, value=value, unit=unit_of(key), status="given", uncertainty=None, source="the scene")
-        for key, value in values.items()
-        if value is not None
+        of_cage = ("pocket_clearance", "wall_thickness", "material", "start")
+        values |= {f"cage.{key}": _stated(scene, scene.cage, key) for key in of_cage}
+    known = {key: (value, GIVEN) for key, value in values.items() if value is not None} | _with_origin(scene)
+    return {
+        key: StatedInput(key=key, value=value, unit=unit_of(key), **vars(origin))
+        for key, (value, origin) in known.items()
     }
-    return others | _with_origin(scene)
 
 
-def _with_origin(scene: Scene) -> dict[str, StatedInput]:
+def _with_origin(scene: Scene) -> dict[str, tuple[float | str | None, Origin]]:
+    """By key, each with its value."""
     tables = {name: getattr(scene, name) for name in ("bearing", "cage", "lubricant", "surface", "losses")}
     usual = {}
     loss = uncertain_value(scene, "friction.hysteresis_loss")
     if scene.hysteresis_loss is None and loss is not None:
         origin = Origin(status="assumed", uncertainty=LOSS_SPREAD * loss, source=USUAL_LOSS_ORIGIN)
-        key = "friction.hysteresis_loss"
-        usual[key] = StatedInput(key=key, value=loss, unit=unit_of(key), **vars(origin))
+        usual["friction.hysteresis_loss"] = loss, origin
     counts = scene.contact_angle.rule == "solved" and scene.effects.get("weight") != "off"
     if scene.down is None and counts and not scene.operation.is_thrust:
-        origin = Origin(status="assumed", uncertainty=None, source=USUAL_DOWN)
-        usual["operation.down"] = StatedInput(key="operation.down", value="1, 0, 0", unit="", **vars(origin))
+        usual["operation.down"] = "1, 0, 0", Origin(status="assumed", uncertainty=None, source=USUAL_DOWN)
     return usual | {
-        f"{name}.{key}": StatedInput(
-            key=f"{name}.{key}", value=_stated(scene, table, key), unit=unit_of(f"{name}.{key}"), **vars(origin)
-        )
+        f"{name}.{key}": (_stated(scene, table, key), origin)
         for name, table in tables.items()
         if table is not None
         for key, origin in table.origins.items()
@@ -92,35 +87,54 @@ def uncertain_value(scene: Scene, key: str) -> float | None:
     Of a load the largest magnitude of the series, which varies as a whole; of a formula 1, of a step between two 0.
     """
     table, _, rest = key.partition(".")
-    angle, has_elastic = scene.contact_angle, scene.has_friction and scene.effects.get("hysteresis") != "off"
+    if not _is_asked_for(scene, key):
+        return None
+    if table == "model":
+        return 0.0 if UNCERTAIN[key] is NORMAL else 1.0
     if table == "operation":
         return float(np.max(np.abs(getattr(scene.operation, rest)))) or None
-    if key == "bearing.contact_angle.free":
-        return angle.free if angle.rule == "solved" else None
-    is_washer = scene.bearing.kind == "thrust"  # equal grooves, and 90 degrees by its kind
-    if key == "bearing.contact_angle.value":
-        return angle.value if angle.rule == "given" and not is_washer else None
-    if key == "bearing.outer.conformity" and is_washer:
-        return None
-    if key == "bearing.clearance" and (angle.rule == "given" or angle.free is not None):
-        return None
-    if table in ("bearing", "arrangement", "cage"):
-        part = getattr(scene, table)
-        return None if part is None else _value(part, rest)
-    if table == "losses":
-        return getattr(scene.losses, rest) or None
     if table == "friction":
-        if rest == "coefficient":
-            return scene.friction_coefficient or None
-        return (scene.loss_factor or None) if scene.elastic_rolling == "hysteresis" and has_elastic else None
-    if key == "model.elastic_rolling":
-        return 0.0 if has_elastic and scene.loss_factor else None
-    if key == "model.oil_losses":
-        return 1.0 if scene.losses.has_oil else None
+        return (scene.friction_coefficient if rest == "coefficient" else scene.loss_factor) or None
+    if key.startswith("bearing.contact_angle."):
+        return getattr(scene.contact_angle, rest.rpartition(".")[2])
+    part = getattr(scene, table)
+    value = None if part is None else _value(part, rest)
+    return value if table in ("bearing", "arrangement", "cage") else value or None
+
+
+def _is_asked_for(scene: Scene, key: str) -> bool:
+    """Whether the torque depends on an input of UNCERTAIN, as far as the scene has it."""
+    oil, surface, angle, effects = scene.lubricant, scene.surface, scene.contact_angle, scene.effects
+    is_solved, is_washer = angle.rule == "solved", scene.bearing.kind == "thrust"  # equal grooves, and 90 degrees
+    mixed = oil is not None and surface is not None and scene.friction_coefficient is None
+    can_starve = effects.get("starvation") != "off"
+    is_elastic = scene.has_friction and effects.get("hysteresis") != "off"
+    if key in ("lubricant.surface_tension", "model.grease_film"):
+        return oil is not None and can_starve and oil.starves_as_measured(scene.bearing)
+    if key == "model.starvation":
+        return oil is not None and can_starve and oil.starves_by_replenishment(scene.bearing)
     if key == "model.unloaded_balls":
-        is_on = scene.effects.get("unloaded_balls") != "off" and not scene.operation.is_thrust
-        return 1.0 if is_on and scene.lubricant is not None and scene.lubricant.supply == "oil_bath" else None
-    return _of_oil(scene, table, rest)
+        has_bath = oil is not None and oil.supply == "oil_bath"
+        return has_bath and effects.get("unloaded_balls") != "off" and not scene.operation.is_thrust
+    if key in (
+        "model.rolling",
+        "model.heating",
+        "lubricant.viscosity",
+        "lubricant.temperature",
+        "lubricant.reach.ahead",
+    ):
+        return oil is not None
+    own = {
+        "bearing.contact_angle.free": is_solved,
+        "bearing.contact_angle.value": not is_solved and not is_washer,
+        "bearing.outer.conformity": not is_washer,
+        "bearing.clearance": is_solved and angle.free is None,
+        "friction.hysteresis_loss": is_elastic and scene.elastic_rolling == "hysteresis",
+        "model.elastic_rolling": is_elastic and bool(scene.loss_factor),
+        "model.oil_losses": scene.losses.has_oil,
+        "surface.autocorrelation.length": mixed and surface is not None and surface.autocorrelation is not None,
+    }
+    return own.get(key, mixed or not key.startswith(("lubricant.", "surface.", "model.")))
 
 
 def checked_deviation(key: str, value: float, deviation: float) -> float:
@@ -142,32 +156,25 @@ def checked_deviation(key: str, value: float, deviation: float) -> float:
     return deviation
 
 
-def given_spreads(values: Values, scene: Scene) -> tuple[dict[str, float], list[tuple[str, str]]]:
-    """Standard deviations by key, SI, and (key, problem) for those that do not fit the scene."""
-    spreads, misfits = {}, []
+def with_spreads(v: Values, scene: Scene) -> Scene:
+    """The scene with its [uncertainty] and [assumed]; what does not fit it is noted in the values."""
+    spreads: dict[str, float] = {}
     for key in UNCERTAIN:
-        given: GivenSpread | None = values[f"uncertainty.{key}"]
-        if given is None:
-            continue
-        value = uncertain_value(scene, key)
-        if value is None:
+        given: GivenSpread | None = v[f"uncertainty.{key}"]
+        value = None if given is None else uncertain_value(scene, key)
+        if given is not None and value is not None:
+            try:
+                spreads[key] = checked_deviation(key, value, given.value * value if given.is_share else given.value)
+            except InputError as problem:
+                v.misfits.append((f"uncertainty.{key}", str(problem).partition(": ")[2]))
+        elif given is not None:
             problem = "is of an input that this scene lacks or its torque does not depend on; leave it out"
-            misfits.append((f"uncertainty.{key}", problem))
-            continue
-        try:
-            deviation = given.value * value if given.is_share else given.value
-            spreads[key] = checked_deviation(key, value, deviation)
-        except InputError as problem:
-            misfits.append((f"uncertainty.{key}", str(problem).partition(": ")[2]))
-    return spreads, misfits
-
-
-def given_assumptions(values: Values, scene: Scene) -> tuple[dict[str, str], list[tuple[str, str]]]:
-    """Sources by key, and (key, problem) for those of an input that the scene does not have."""
-    sources = {key: source for key in ASSUMABLE if (source := values[f"assumed.{key}"]) is not None}
+            v.misfits.append((f"uncertainty.{key}", problem))
     known = known_inputs(scene)
+    sources = {key: source for key in ASSUMABLE if (source := v[f"assumed.{key}"]) is not None}
     problem = "is of an input that this scene does not have; leave it out"
-    return sources, [(f"assumed.{key}", problem) for key in sources if key not in known]
+    v.misfits += [(f"assumed.{key}", problem) for key in sources if key not in known]
+    return replace(scene, uncertainty=read_only(spreads), assumed=read_only(sources))
 
 
 def _stated(scene: Scene, table: object, key: str) -> float | str | None:
@@ -178,28 +185,6 @@ def _stated(scene: Scene, table: object, key: str) -> float | str | None:
         return table.pocket_diameter - scene.bearing.ball_diameter
     value = _value(table, key)
     return value.name if isinstance(value, Material) else value
-
-
-def _of_oil(scene: Scene, table: str, key: str) -> float | None:
-    """The value of an input of oil, surface or formula, as far as this scene's friction comes from them."""
-    oil, surface = scene.lubricant, scene.surface
-    mixed = oil is not None and surface is not None and scene.friction_coefficient is None
-    if key == "surface_tension" or (table == "model" and key == "grease_film"):
-        if oil is None or not oil.starves_as_measured(scene.bearing) or scene.effects.get("starvation") == "off":
-            return None
-        return 1.0 if table == "model" else oil.surface_tension
-    if table == "model":
-        if key == "starvation":
-            starves = oil is not None and oil.starves_by_replenishment(scene.bearing)
-            return 0.0 if starves and scene.effects.get("starvation") != "off" else None
-        if key == "gap":
-            return 0.0 if mixed else None
-        return 1.0 if (oil is not None if key in ("rolling", "heating") else mixed) else None
-    if table == "lubricant":
-        asked = oil is not None and (mixed or key in ("viscosity", "temperature", "reach.ahead"))
-        return (_value(oil, key) or None) if asked else None
-    has_part = key != "autocorrelation.length" or (surface is not None and surface.autocorrelation is not None)
-    return (_value(surface, key) or None) if mixed and has_part else None
 
 
 def _value(table: object, key: str) -> Any:

@@ -4,17 +4,28 @@ A key is named by its path, `operation.axial_load`. `read_document` reads the ke
 is one line with the key, the value and what is accepted.
 """
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import fields, replace
 from difflib import get_close_matches
 from functools import cache
-from typing import Annotated, Any, ClassVar, Literal, get_args
+from typing import Annotated, Any, get_args
 
-from analytic import catalog
-from analytic.catalog.bearing_rows import find_bearing
-from analytic.declared import REQUIRED, AnyText, Hint, Key, Table, Text, Word, declarations, declared_of, declared_table
+from analytic.catalog.bearing_rows import CatalogBearing
+from analytic.declared import (
+    AS_IN_PYTHON,
+    FILLED,
+    REQUIRED,
+    AnyText,
+    InFile,
+    Key,
+    Table,
+    Text,
+    Word,
+    declarations,
+    declared_of,
+    declared_table,
+)
 from analytic.errors import InputError
 from analytic.mounting.clearance import Mounting
 from analytic.quantity import Dimension, QuantityOrWord, Series
@@ -29,19 +40,27 @@ from analytic.scene import (
     Length,
     Material,
     Origin,
-    Reaching,
     Roughness,
     Scene,
     Thermal,
     Width,
 )
-from analytic.scenefile.law_packages import BUILT_IN, GROUP, installed_laws
-from analytic.scenefile.material import material_entry
-from analytic.scenefile.viscosity import Viscosity
+from analytic.scenefile.kinds import (
+    Designation,
+    Direction,
+    Extent,
+    Law,
+    RowOf,
+    Solid,
+    Spread,
+    Viscosity,
+    material_entry,
+)
 from analytic.words import plain, shown
 
 CATALOG = "bearing.catalog"
 RINGS = ("inner", "outer")
+GIVEN = Origin(status="given", uncertainty=None, source="the scene")
 SAME_AS: dict[str, tuple[str, ...]] = {  # other words for keys and tables, as people write them
     **dict.fromkeys(("designation", "catalogue", "bearing_type", "type"), (CATALOG,)),
     **dict.fromkeys(("oil", "lubricant_name", "grease", "vg", "iso_vg"), ("lubricant.name",)),
@@ -64,157 +83,7 @@ SAME_AS: dict[str, tuple[str, ...]] = {  # other words for keys and tables, as p
 OF_CATALOG = ("bearing", "cage")  # tables that the catalog fills
 BESIDE = ("uncertainty.", "assumed.")  # tables with the keys of the others
 MOST_NAMES = 5  # in one message
-EXTENT = Dimension(unit="m", low=1e-7, high=1.0, example='"3 mm"')
-
-
-@dataclass(frozen=True)
-class Designation:
-    """A bearing of the catalogue."""
-
-    accepted: str = 'give a designation, for example "6206"'
-    is_text: ClassVar = True
-
-    def read(self, given: object) -> Any:
-        """The designation. Raises ValueError for one that the catalogue does not have."""
-        if not isinstance(given, str):
-            raise ValueError('is no designation; give it in quotes, for example "6206"')
-        if given not in catalog.names("bearings"):
-            try:
-                find_bearing(given)
-            except InputError as problem:
-                raise ValueError(str(problem).removeprefix(f"bearing {shown(given)} ")) from None
-        return given
-
-
-@dataclass(frozen=True)
-class RowOf:
-    """The name of a row of a table of the catalog."""
-
-    table: Literal["base_oils", "finishes"]
-    thing: str
-    is_text: ClassVar = True
-
-    @property
-    def words(self) -> tuple[str, ...]:
-        """The names."""
-        return tuple(catalog.rows(self.table))
-
-    @property
-    def accepted(self) -> str:
-        """The end of a message."""
-        return f"give one of {', '.join(self.words)}"
-
-    def read(self, given: object) -> Any:
-        """The name. Raises ValueError for another one."""
-        if given not in self.words:
-            raise ValueError(f"is not a {self.thing}; {self.accepted}")
-        return given
-
-
-@dataclass(frozen=True)
-class Law:
-    """The name of a law of traction, built in or installed; the package is not imported yet."""
-
-    accepted: str = 'give "eyring_sinh", "eyring_constant" or the name of an installed law'
-    is_text: ClassVar = True
-
-    def read(self, given: object) -> Any:
-        """The name. Raises ValueError for another one."""
-        known = (*BUILT_IN, *installed_laws())
-        if given not in known:
-            remedy = f"give one of {', '.join(known)}, or install a package that has it as {GROUP}"
-            raise ValueError(f"is not a law of traction; {remedy}")
-        return given
-
-
-@dataclass(frozen=True)
-class Solid:
-    """A material: a name of the catalog, or a table."""
-
-    inside: Table
-    accepted: str = 'give a material, for example "steel"'
-    is_text: ClassVar = True
-
-    def read(self, given: object) -> Any:
-        """The name. Raises ValueError for what is none."""
-        material_entry(given)
-        return given
-
-
-@dataclass(frozen=True)
-class Direction:
-    """Where gravity points."""
-
-    accepted: str = "give three numbers, for example [1, 0, 0]"
-
-    def read(self, given: object) -> Any:
-        """The unit vector. Raises ValueError for what has no direction."""
-        given = [*given] if isinstance(given, tuple) else given
-        numbers = isinstance(given, list) and all(isinstance(each, int | float) for each in given)
-        length = math.hypot(*given) if isinstance(given, list) and numbers and len(given) == 3 else 0.0
-        if not isinstance(given, list) or not 0 < length < math.inf:
-            raise ValueError(
-                "is no direction; give where gravity points as [x, y, z] of any length, with x towards the radial load "
-                "and z along the thrust, for example [1, 0, 0]"
-            )
-        return tuple(float(each) / length for each in given)
-
-
-@dataclass(frozen=True)
-class GivenLength:
-    """A length that is given where a share may stand too."""
-
-    metres: float
-
-
-@dataclass(frozen=True, kw_only=True)
-class Extent(Dimension):
-    """A share of the ball's radius, or a length."""
-
-    @property
-    def accepted(self) -> str:
-        """The end of every message."""
-        return f"{super().accepted} of the ball's radius, or a length, {EXTENT.example}"
-
-    def read(self, given: object) -> Any:
-        """The share, or the length. Raises ValueError as `Dimension.read`."""
-        if isinstance(given, str) and not given.rstrip().endswith("%"):
-            return GivenLength(EXTENT.read(given))
-        return super().read(given)
-
-
-@dataclass(frozen=True, kw_only=True)
-class GivenSpread:
-    """A standard deviation as a scene gives it."""
-
-    value: float
-    is_share: bool  # of the input's value; else in its unit, SI
-
-
-@dataclass(frozen=True, kw_only=True)
-class Spread:
-    """What a standard deviation accepts; `of` accepts only one in the unit of the input, as a sweep steps through."""
-
-    of: Dimension
-    takes_share: bool
-
-    @property
-    def accepted(self) -> str:
-        """The end of every message."""
-        return f'{self.of.accepted}, or "5 %"' if self.takes_share and self.of.unit else self.of.accepted
-
-    def read(self, given: object) -> GivenSpread:
-        """The deviation, or the share of the value. Raises ValueError that says what is wrong and what is accepted."""
-        if isinstance(given, str) and given.rstrip().endswith("%"):
-            if not self.takes_share:
-                raise ValueError(f"is a share, but this input needs the standard deviation itself; {self.accepted}")
-            return GivenSpread(value=SHARE.read(given), is_share=True)
-        return GivenSpread(value=self.of.read(given), is_share=False)
-
-
-LARGEST_SHARE = 3.0  # of a value: a standard deviation beyond it says that the value is not known
 TIGHTEST_GROOVE = 0.5  # conformity of a groove that fits the ball
-SHARE = Dimension(unit="", low=0, high=LARGEST_SHARE, example='"10 %"')
 FACTOR, NORMAL = 0.0, None
 # The inputs that a prediction varies, each with its floor: what lies above it is lognormal, and its median is the
 # value; None: the value itself is normal. `Scene.uncertainty` has standard deviations, SI, in place of the defaults.
@@ -268,84 +137,60 @@ SEALS = QuantityOrWord(
     unit="N m", low=0, high=1e6, example='"5 N mm"', words=("estimate", "off"), meaning="SKF's formula or no drag"
 )
 Conformity = Annotated[float, Dimension(unit="", low=0.5, high=5, example="0.52")]
-# What a file may give in place of a field, or beside the fields; a default is None unless it is said below.
+# What a file may give in place of a field, or beside the fields, and what to give for tables of such keys.
 IN_PLACE: dict[str, Any] = {
-    CATALOG: Annotated[str, Designation(), "a bearing whose dimensions apply where no other is given"],
-    "bearing.name": Annotated[Text, "shown with results; that of the catalogue without"],
-    "bearing.ball_mass": None,
-    "bearing.pitch_diameter": Annotated[Length, "of the circle of the ball centres"],
-    "bearing.conformity": Annotated[Conformity, "of both rings: groove radius over ball diameter"],
-    "bearing.clearance": Annotated[float, CLEARANCE, "unmounted, on the diameter; negative is preload"],
-    "bearing.contact_angle.nominal": Annotated[Angle, "unloaded; the clearance follows from it"],
+    CATALOG: Annotated[str, Designation(), FILLED, "a bearing whose dimensions apply where no other is given"],
+    "bearing.pitch_diameter": Annotated[Length, FILLED, "of the circle of the ball centres"],
+    "bearing.conformity": Annotated[Conformity, FILLED, "of both rings: groove radius over ball diameter"],
+    "bearing.clearance": Annotated[float, CLEARANCE, FILLED, "unmounted, on the diameter; negative is preload"],
+    "bearing.contact_angle.nominal": Annotated[Angle, FILLED, "unloaded; the clearance follows from it"],
     **{
-        f"bearing.{ring}.{key}": hint
+        f"bearing.{ring}.{key}": Annotated[length, FILLED, meaning]
         for ring in RINGS
-        for key, hint in {
-            "bottom_radius": None,
-            "groove_radius": None,
-            "conformity": Annotated[Conformity, "groove radius over ball diameter"],
-            "shoulder_half_width": None,
-            "shoulder_height": Annotated[Length, "of the near shoulder over the bottom of the groove"],
-            "shoulder_diameter": Annotated[Length, "of the near shoulder"],
-            "far_shoulder_height": Annotated[Width, "of the far shoulder, if it differs"],
-            "far_shoulder_diameter": Annotated[Length, "of the far shoulder, if it differs"],
-        }.items()
+        for key, length, meaning in (
+            ("conformity", Conformity, "groove radius over ball diameter"),
+            ("shoulder_height", Length, "of the near shoulder over the bottom of the groove"),
+            ("shoulder_diameter", Length, "of the near shoulder"),
+            ("far_shoulder_height", Width, "of the far shoulder, if it differs"),
+            ("far_shoulder_diameter", Length, "of the far shoulder, if it differs"),
+        )
     },
     "operation.down": Annotated[
-        tuple, Direction(), "where gravity points: x along the radial load, z along the thrust"
+        tuple, Direction(), FILLED, "where gravity points: x along the radial load, z along the thrust"
     ],
-    "cage.variant": Annotated[Text, "of the cage in the catalog"],
-    "cage.pocket_diameter": None,
-    "cage.pocket_clearance": Annotated[Gap, "pocket diameter minus ball diameter"],
-    "cage.pocket_depth": None,
+    "cage.variant": Annotated[Text, FILLED, "of the cage in the catalog"],
+    "cage.pocket_clearance": Annotated[Gap, FILLED, "pocket diameter minus ball diameter"],
+    "cage.pocket_approach": 'give the approach by a test or finite elements, { load = "28 N", approach = "0.883 um" }',
     "cage.pocket_approach.load": Annotated[Force, "of a test or finite elements"],
     "cage.pocket_approach.approach": Annotated[Gap, "under this load, in place of Hertz's"],
-    "lubricant.name": Annotated[Text, "of an oil or grease of the catalog"],
-    "lubricant.base_oil": Annotated[str, RowOf("base_oils", "base oil"), "where the oil has no name of the catalog"],
+    "lubricant.name": Annotated[Text, FILLED, "of an oil or grease of the catalog"],
+    "lubricant.base_oil": Annotated[
+        str, RowOf("base_oils", "base oil"), FILLED, "where the oil has no name of the catalog"
+    ],
     "lubricant.viscosity": Annotated[
-        float, Viscosity(get_args(DynamicViscosity)[1]), "one, or two at two temperatures"
+        float, Viscosity(get_args(DynamicViscosity)[1]), FILLED, "one, or two at two temperatures"
     ],
-    "lubricant.traction": Annotated[str, Law(), "law of the shear stress"],
-    **dict.fromkeys(
-        f"lubricant.{key}"
-        for key in (
-            *("pressure_viscosity", "viscosity_temperature", "reference_temperature", "temperature"),
-            *("thermal_conductivity", "density", "limiting_shear", "surface_tension"),
-        )
-    ),
-    "lubricant.reach.ahead": Annotated[Reaching, Extent(unit="", low=0.05, high=1, example="0.9"), "in the inlet"],
-    "lubricant.reach.behind": Annotated[Reaching, Extent(unit="", low=0.05, high=1, example="0.9"), "in the outlet"],
-    "surface.Ra": Annotated[Roughness, "of each surface"],
-    "surface.finish": Annotated[str, RowOf("finishes", "finish"), "of the race, in place of a roughness"],
-    "surface.height_map.spacing": None,
-    "surface.asperities": None,
-    "losses.seals": Annotated[float, SEALS, "of both seals together"],
-    "mounting.inner_temperature": None,
-    "mounting.outer_temperature": None,
-    "measured.file": Annotated[
-        Text, Hint("give the path of a CSV file of measured torques, from the scene file's folder")
-    ],
-    **{f"effects.{name}": Annotated[Decision, "auto: where its input is there"] for name in get_args(EffectName)},
-    **{f"assumed.{key}": Annotated[str, AnyText("give the source of the value in words")] for key in ASSUMABLE},
-}
-SOLIDS = ("bearing.ball_material", "bearing.inner.material", "bearing.outer.material", "cage.material")
-SOLIDS += ("mounting.shaft_material", "mounting.housing_material")
-DEFAULTS: dict[str, Any] = {
-    **dict.fromkeys(("name", "tolerance", "measured.file"), REQUIRED),
-    **dict.fromkeys(("cage.pocket_approach.load", "cage.pocket_approach.approach"), REQUIRED),
-    "bearing.contact_angle.rule": "solved",
-    "lubricant.traction": "eyring_sinh",
-    **{f"operation.{name}": [0.0] for name in ("axial_load", "radial_load", "moment")},
-    **{f"effects.{name}": "auto" for name in get_args(EffectName)},
-}
-HINTS = {
-    "cage.pocket_approach": 'give the approach by a test or finite elements, { load = "28 N", approach = "0.883 um" }',
-    "cage.start": 'give "rest", "ramp", "sudden" or "whirl"',
-    "effects": 'give a table [effects] of "auto", "on", "off"',
-    "measured": 'give a table [measured] of file = "data.csv"',
+    "lubricant.traction": Annotated[str, Law(), InFile("eyring_sinh"), "law of the shear stress"],
+    **{
+        f"lubricant.reach.{way}": Annotated[float, Extent(unit="", low=0.05, high=1, example="0.9"), f"in the {let}"]
+        for way, let in (("ahead", "inlet"), ("behind", "outlet"))
+    },
+    "surface.Ra": Annotated[Roughness, FILLED, "of each surface"],
+    "surface.finish": Annotated[str, RowOf("finishes", "finish"), FILLED, "of the race, in place of a roughness"],
+    "losses.seals": Annotated[float, SEALS, FILLED, "of both seals together"],
     "friction": "give a table [friction], with coefficient where no lubricant is given",
-    "uncertainty": 'give a table [uncertainty] of lubricant.viscosity = "6 %" and others',
+    "measured": 'give a table [measured] of file = "data.csv"',
+    "measured.file": Annotated[
+        Text, InFile(hint="give the path of a CSV file of measured torques, from the scene file's folder")
+    ],
+    "effects": 'give a table [effects] of "auto", "on", "off"',
+    **{
+        f"effects.{name}": Annotated[Decision, InFile("auto"), "auto: where its input is there"]
+        for name in get_args(EffectName)
+    },
     "assumed": 'give a table [assumed] of lubricant.viscosity = "the source" and others',
+    **{f"assumed.{key}": Annotated[str, AnyText("give the source of the value in words"), FILLED] for key in ASSUMABLE},
+    "uncertainty": 'give a table [uncertainty] of lubricant.viscosity = "6 %" and others',
 }
 
 
@@ -356,29 +201,20 @@ def scene_table() -> Table:
     root.add(declared_table(Mounting, "mounting"))
     root.add(declared_table(Thermal, "thermal"))
     for path, hint in IN_PLACE.items():
-        said = root.find(path)
-        if hint is None:
-            root.add(replace(said, default=None))  # pyright: ignore[reportArgumentType, reportCallIssue]
-        else:
-            told, own = declared_of(hint), getattr(said, "default", REQUIRED)
-            assert told.kind is not None, path
-            default = None if own in (REQUIRED, "") else own
-            root.add(Key(path=path, kind=told.kind, default=default, meaning=told.meaning, hint=told.hint))
+        if isinstance(hint, str):
+            there = root.find(path)
+            root.add(replace(there, hint=hint) if isinstance(there, Table) else Table(path=path, hint=hint))
+            continue
+        said = declared_of(hint)
+        assert said.kind is not None, path
+        default = said.in_file.default
+        if default is AS_IN_PYTHON:
+            default = getattr(root.find(path), "default", REQUIRED)
+        root.add(Key(path=path, kind=said.kind, default=default, meaning=said.meaning, hint=said.in_file.hint))
     for key, floor in UNCERTAIN.items():
         root.add(Key(path=f"uncertainty.{key}", kind=_spread(key, floor, root), default=None))
-    for path in SOLIDS:
-        table = root.find(path)
-        assert isinstance(table, Table), path
-        for name, default in {"name": "unnamed", "source": "the scene file"}.items():
-            table.add(replace(table.keys[name], default=default))  # pyright: ignore[reportArgumentType, reportCallIssue]
-        root.add(Key(path=path, kind=Solid(table), default=REQUIRED if path == "cage.material" else "steel"))
-    for path, default in DEFAULTS.items():
-        root.add(replace(root.find(path), default=default))  # pyright: ignore[reportArgumentType, reportCallIssue]
-    for path, words in HINTS.items():
-        root.add(replace(root.find(path), hint=words))  # pyright: ignore[reportArgumentType, reportCallIssue]
-    for path in ("bearing", "operation"):
-        root.add(replace(root.find(path), is_required=True))  # pyright: ignore[reportArgumentType, reportCallIssue]
-    root.add(replace(root.find("cage"), word="none"))  # pyright: ignore[reportArgumentType, reportCallIssue]
+    for table in [table for table in root.tables() if table.noun is Material]:
+        root.add(Key(path=table.path, kind=Solid(table), default=table.default))
     return root
 
 
@@ -394,20 +230,23 @@ def _spread(key: str, floor: float | None, root: Table) -> Spread:
 class Values(dict[str, Any]):
     """Values of a scene by key, SI; of a key that is not there its default, None without one."""
 
-    def __init__(self) -> None:
+    def __init__(self, document: Mapping[str, Any]) -> None:
         super().__init__()
+        self.document = document
         self.said: set[str] = set()  # keys and tables of the document
         self.faults: list[tuple[str, Any, str]] = []  # (path, value, problem)
         self.unknown: list[tuple[Table, str, Any]] = []  # (table, name, value) of keys that there are not
+        self.misfits: list[tuple[str, str]] = []  # (path, problem) of values that do not fit together
         self.origins: dict[str, Origin] = {}  # of what rules gave
+        self.row: CatalogBearing | None = None  # of the catalogue, whose bearing it is
 
     def __missing__(self, path: str) -> Any:
         key = scene_table().find(path)
         if not isinstance(key, Key):  # a rule gives it
             return None
-        if isinstance(key.kind, Solid) and key.default is not REQUIRED:
-            return catalog_solid(key.default)
-        return None if key.default is REQUIRED else key.default
+        if key.default is REQUIRED:
+            return None
+        return catalog_solid(key.default) if isinstance(key.kind, Solid) else key.default
 
     def at(self, temperature: float) -> "Values":
         """The same with the oil at a temperature, K."""
@@ -415,19 +254,31 @@ class Values(dict[str, Any]):
         warm["lubricant.temperature"] = temperature
         return warm
 
-    def fields(self, noun: type, path: str, **others: Any) -> dict[str, Any]:
-        """The fields of a noun whose keys are below a path; others : of the noun, in place of those"""
-        names = [name for name, said in declarations(noun).items() if said.kind is not None and not said.is_derived]
-        return {name: self[f"{path}.{name}"] for name in names if name not in others} | others
-
     def noun(self, noun: type, path: str) -> Any:
         """The noun whose table is at a path; None: the document has none."""
         return noun(**self.fields(noun, path)) if path in self.said else None
 
+    def fields(self, noun: type, path: str, **others: Any) -> dict[str, Any]:
+        """The fields of a noun whose keys are below a path; others : of the noun, in place of those"""
+        found = dict(others)
+        for each in fields(noun):
+            said = declarations(noun)[each.name]
+            place = said.place(each.name, path)
+            if each.name in others or said.is_derived or said.is_mapping:
+                continue
+            if said.noun not in (None, Material):
+                is_optional = each.default is None
+                found[each.name] = (
+                    self.noun(said.noun, place) if is_optional else said.noun(**self.fields(said.noun, place))
+                )
+            elif said.kind is not None or said.noun is Material:
+                found[each.name] = self[place]
+        return found
+
 
 def read_document(document: Mapping[str, Any], table: Table) -> Values:
     """The values of a document, with its faults."""
-    values = Values()
+    values = Values(document)
     _read(table, document, values)
     return values
 
@@ -497,7 +348,7 @@ def missing_keys(table: Table, values: Values) -> Iterator[tuple[str, Any, str]]
         if isinstance(entry, Table):
             if entry.path in values.said:
                 yield from missing_keys(entry, values)
-            elif entry.is_required:
+            elif entry.default is REQUIRED:
                 yield entry.path, None, f"is missing; {entry.hint}"
         elif entry.default is REQUIRED and entry.path not in values:
             yield entry.path, None, f"is missing; {entry.accepted}"
@@ -542,7 +393,7 @@ def _instead(root: Table, table: Table, name: str, given: object) -> str:
     same = SAME_AS.get(name.casefold(), ())
     if isinstance(given, dict):
         same = tuple(dict.fromkeys(path.partition(".")[0] for path in same))
-    known = [*root.paths(), *root.tables()]
+    known = [*root.paths(), *(inside.path for inside in root.tables())]
     elsewhere = [path for path in known if path.rpartition(".")[2] == name and not path.startswith(BESIDE)]
     meant = _meant(table, name)
     meant = (meant or same or elsewhere[:2]) if table.path else (same or meant or elsewhere[:2])

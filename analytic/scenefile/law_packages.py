@@ -48,10 +48,7 @@ def installed_law(name: str) -> OwnTraction:
         )
     owner, law = entry.dist, cast(Callable[[float], float], function)
     return own_traction(
-        name,
-        law,
-        distribution="" if owner is None else owner.name,
-        version="" if owner is None else owner.version,
+        name, law, distribution="" if owner is None else owner.name, version="" if owner is None else owner.version
     )
 
 

@@ -15,7 +15,7 @@ from analytic.errors import InputError, require_finite
 from analytic.given import Given, Quantity
 from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Scene, Surface, Tilt
 from analytic.scenefile.keys import scene_key
-from analytic.scenefile.material import catalog_material
+from analytic.scenefile.kinds import material_entry
 from analytic.scenefile.read import scene_of
 from analytic.scenefile.setting import as_plain, in_si
 from analytic.words import shown
@@ -211,7 +211,7 @@ def material(name: str, **overrides: Given) -> Material:
         A name or key is unknown, a value is out of range, or neither gives a value.
     """
     try:
-        entry = catalog_material(name, overrides)
+        entry = material_entry(name, overrides)
     except ValueError as problem:
         raise InputError(f"material {shown(name)} {problem}") from None
     return _scene_with("bearing", {**BEARING, "ball_material": entry}).bearing.ball_material

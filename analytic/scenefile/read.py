@@ -3,54 +3,39 @@
 `analytic.scenefile.keys` has the keys. File, options, settings and keywords make one document; the usual values of a
 bearing fill what nobody gives, its keys are read into SI, and the catalogue fills what is still open. Every message is
 one line with the key, the value and what is accepted.
+
+An oil is known over the temperature by its name or by two viscosities; a single viscosity with a slope is not enough
+for the tens of kelvins over which a bearing warms.
 """
 
 import os
-from collections.abc import Collection, Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Unpack, get_args
 
 import numpy as np
 
-from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.declared import read_only
 from analytic.errors import InputError
 from analytic.given import OperatingOptions, SceneOptions
 from analytic.quantity import SI
-from analytic.scene import (
-    Array,
-    Bearing,
-    Cage,
-    ContactAngle,
-    Decision,
-    EffectName,
-    Land,
-    Losses,
-    Operation,
-    ReportDetails,
-    Scene,
-    Surface,
-    Thermal,
-)
+from analytic.scene import Array, Bearing, Cage, ContactAngle, Decision, EffectName, Losses, Operation, Scene, Thermal
 from analytic.scenefile import fit
 from analytic.scenefile.bearing import (
     BALLS,
     bearing_faults,
     bearing_of,
-    catalog_row,
     fill_from_catalog,
     has_other_balls,
     has_own_balls,
     shoulder_faults,
 )
-from analytic.scenefile.by_temperature import SceneByTemperature, thermal_faults
-from analytic.scenefile.columns import OPERATING, key_of_column, operating_column
+from analytic.scenefile.columns import OPERATING, key_of_column, operating_column, read_measured, with_oils
 from analytic.scenefile.fill import BALL, apply_rules, rivals_of
-from analytic.scenefile.find import FoundScene, find_scene
-from analytic.scenefile.inputs import given_assumptions, given_spreads
-from analytic.scenefile.installation import arranged, in_operation, installation_faults
+from analytic.scenefile.find import FoundScene, find_scene, parse_text
+from analytic.scenefile.inputs import with_spreads
 from analytic.scenefile.keys import (
     BESIDE,
     Values,
@@ -61,14 +46,18 @@ from analytic.scenefile.keys import (
     with_key,
     without_key,
 )
-from analytic.scenefile.losses import losses_of
-from analytic.scenefile.measured import read_measured, with_oils
+from analytic.scenefile.kinds import GivenViscosity
 from analytic.scenefile.oil import lubricant_of
 from analytic.scenefile.setting import given_values, in_si, require_nothing_beside
-from analytic.scenefile.surface import surface_conflicts, surface_of
-from analytic.scenefile.text import parse_text
-from analytic.scenefile.usual import told_values, usual_values
-from analytic.scenefile.usual_cage import FRICTION, ORIGINS, assumed_cage
+from analytic.scenefile.tables import (
+    arranged,
+    in_operation,
+    installation_faults,
+    losses_of,
+    surface_conflicts,
+    surface_of,
+)
+from analytic.scenefile.usual import FRICTION, ORIGINS, assumed_cage, told_values, usual_values
 from analytic.words import shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
@@ -78,9 +67,72 @@ SEATED, HALF_SEATED = 1.7, 1.25
 NOTHING_SET: Mapping[str, Any] = MappingProxyType({})
 LEAST_CAGED = 1e-4  # m: the assumed cage of a smaller ball would be thinner than a scene may say
 NO_CAGE = "cage = none"
-OF_FRICTION = ("hysteresis_loss", "elastic_rolling", "spin_rule", "microslip")
 SERIES = ("axial_load", "inner_speed", "radial_load", "moment")
 MOST_FAULTS = 5  # in one message; the others are counted
+
+ZERO_CELSIUS = 273.15  # K
+
+
+@dataclass(frozen=True, kw_only=True)
+class SceneByTemperature:
+    """A scene at any temperature of its oil."""
+
+    scene: Scene  # with the oil at the temperature of its file
+    origin: str  # names the file in messages
+    values: Values | None = None  # of its keys; None: a Scene of Python
+    thermal: Thermal | None = None  # None: the temperature of the oil is given
+
+    @property
+    def is_known_elsewhere(self) -> bool:
+        """Whether the oil is known at other temperatures than that of the scene."""
+        return self._oil is not None and not _is_known_at_one(self._oil)
+
+    @property
+    def _oil(self) -> Values | None:
+        """The values of a scene with oil."""
+        return self.values if self.values is not None and "lubricant" in self.values.said else None
+
+    @property
+    def fixed(self) -> Scene:
+        """The scene at the temperature of its file. Raises InputError where friction settles the temperature."""
+        if self.thermal is not None:
+            raise InputError(
+                f"{self.origin}: the scene has [thermal], so friction determines the oil temperature: leave the table "
+                "out and give lubricant.temperature, or run fembearing torque (in Python analytic.steady_scene)"
+            )
+        return self.scene
+
+    def at(self, temperature: float) -> Scene:
+        """The scene with its oil at a temperature, K.
+
+        Raises InputError for another temperature than the scene's without the table of an oil, with a viscosity that
+        replaces that of a named oil at one temperature, and beyond the oil's data.
+        """
+        if self.scene.lubricant is not None and temperature == self.scene.lubricant.temperature:
+            return self.scene
+        oil = self._oil
+        if oil is None:
+            if self.scene.lubricant is None:
+                raise InputError(f"{self.origin}: the scene has no [lubricant]; give the file of a scene with one")
+            raise InputError(f"{self.origin}: a Scene holds its oil at one temperature; give the file of the scene")
+        if _is_known_at_one(oil):
+            text = oil["lubricant.viscosity"].text
+            raise InputError(
+                f"{self.origin}: oil at {temperature - ZERO_CELSIUS:.4g} degC: lubricant.viscosity = {text} beside "
+                "lubricant.name holds at lubricant.temperature alone; give two "
+                'viscosities, as ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]'
+            )
+        try:
+            warm = lubricant_of(oil.at(temperature), ball_radius=self.scene.bearing.ball_radius)
+        except InputError as problem:
+            raise InputError(f"{self.origin}: oil at {temperature - ZERO_CELSIUS:.4g} degC: {problem}") from problem
+        return replace(self.scene, lubricant=warm)
+
+
+def _is_known_at_one(oil: Values) -> bool:
+    """Whether one viscosity replaces that of a named oil, which then has no law over the temperature."""
+    viscosity: GivenViscosity | None = oil["lubricant.viscosity"]
+    return oil["lubricant.name"] is not None and viscosity is not None and not viscosity.is_pair
 
 
 def load_scene(
@@ -121,35 +173,20 @@ def load_scene(
 
 
 def load_by_temperature(
-    scene: str | os.PathLike[str],
-    *,
-    measured: str | os.PathLike[str] | None = None,
-    settings: Mapping[str, Any] = NOTHING_SET,
-    columns: Mapping[str, Any] = NOTHING_SET,
-    **options: Unpack[OperatingOptions],
+    scene: str | os.PathLike[str] | Scene, *, columns: Mapping[str, Any] = NOTHING_SET, **given: Unpack[SceneOptions]
 ) -> SceneByTemperature:
     """The scene at any temperature of its oil; arguments and errors of `load_scene`, which refuses [thermal].
 
+    scene : also a Scene, whose oil has one temperature, and beside which nothing is given
     columns : of a file of operating points, by name, SI; with `measured` those of that file. A bearing of the catalog
         then has no usual load beside theirs.
     """
-    given, notes = given_values(settings, options)
-    found = find_scene(scene)
+    if isinstance(scene, Scene):
+        require_nothing_beside(given)
+        return SceneByTemperature(scene=scene, origin=scene.name)
+    found, measured = find_scene(scene), given.get("measured")
     points = columns if measured is None or found.bearing is None else vars(read_measured(measured))
-    return _read(found, given, notes, measured, columns=points)
-
-
-def any_by_temperature(
-    scene: str | os.PathLike[str] | Scene, *, columns: Mapping[str, Any] = NOTHING_SET, **given: Unpack[SceneOptions]
-) -> SceneByTemperature:
-    """The scene of a name, by `load_by_temperature`; or a Scene, whose oil has one temperature.
-
-    Raises InputError as that, and for an argument that goes with a name alone.
-    """
-    if not isinstance(scene, Scene):
-        return load_by_temperature(scene, columns=columns, **given)
-    require_nothing_beside(given)
-    return SceneByTemperature(scene=scene, origin=scene.name)
+    return _read(found, columns=points, **given)
 
 
 def parse_scene(
@@ -201,33 +238,42 @@ def parse_by_temperature(
 
     options : as of `load_scene`
     """
-    given, notes = given_values(settings, options)
     found = FoundScene(document=parse_text(text, origin=origin), origin=origin, folder=folder)
-    return _read(found, given, notes, measured)
+    return _read(found, measured=measured, settings=settings, **options)
+
+
+def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) -> Scene:
+    """The scene that a parsed TOML document describes; the arguments and errors of parse_scene."""
+    return _read(FoundScene(document=document, origin=origin, folder=folder)).fixed
 
 
 def _read(
     found: FoundScene,
-    given: Mapping[str, Any],
-    notes: tuple[str, ...],
-    measured: str | os.PathLike[str] | None,
     *,
+    measured: str | os.PathLike[str] | None = None,
+    settings: Mapping[str, Any] = NOTHING_SET,
     columns: Mapping[str, Any] = NOTHING_SET,
+    **options: Unpack[OperatingOptions],
 ) -> SceneByTemperature:
     """The scene of a document with what is given beside it."""
+    given, notes = given_values(settings, options)
     document, usual = whole_document(found, given, columns)
-    read = _by_temperature(
-        document, origin=found.origin, folder=found.folder, measured=measured, given={*given} if given else None
-    )
-    if read.thermal is not None and given.get("lubricant.temperature") is not None:
+    v = _values_of(document, found.origin)
+    scene = _scene(v, found.folder)
+    # Spreads and sources of a file need not fit the scene that what is given beside it changes.
+    counts = [each for each in v.misfits if not given or each[0] in given or not each[0].startswith(BESIDE)]
+    _refuse(found.origin, v, counts)
+    scene = _with_measured(scene, v, found.folder, measured)
+    thermal = v.noun(Thermal, "thermal")
+    if thermal is not None and given.get("lubricant.temperature") is not None:
         temperature = shown(given["lubricant.temperature"])
         raise InputError(
-            f"{read.origin}: lubricant.temperature = {temperature} and [thermal] both determine the oil temperature: "
+            f"{found.origin}: lubricant.temperature = {temperature} and [thermal] both determine the oil temperature: "
             "leave one of them out"
         )
-    told = {} if found.bearing is None else told_values(usual, found.bearing, read.scene, given)
-    scene = replace(read.scene, usual=read_only(told), warnings=(*read.scene.warnings, *notes))
-    return replace(read, scene=scene)
+    told = {} if found.bearing is None else told_values(usual, found.bearing, scene, given)
+    scene = replace(scene, usual=read_only(told), warnings=(*scene.warnings, *notes))
+    return SceneByTemperature(scene=scene, origin=found.origin, values=v, thermal=thermal)
 
 
 def whole_document(
@@ -266,50 +312,28 @@ def _point(columns: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, An
     return {key: value for key, value in point.items() if key not in given}
 
 
-def scene_of(
-    document: dict[str, Any],
-    *,
-    origin: str,
-    folder: Path = Path(),
-    measured: str | os.PathLike[str] | None = None,
-) -> Scene:
-    """The scene that a parsed TOML document describes; the arguments and errors of load_scene and parse_scene."""
-    return _by_temperature(document, origin=origin, folder=folder, measured=measured).fixed
-
-
-def _by_temperature(
-    document: dict[str, Any],
-    *,
-    origin: str,
-    folder: Path,
-    measured: str | os.PathLike[str] | None,
-    given: Collection[str] | None = None,
-) -> SceneByTemperature:
-    """given : keys that are given beside the document, whose spreads and sources need not fit the changed scene"""
+def _values_of(document: dict[str, Any], origin: str) -> Values:
+    """The values of a document, filled by catalogue and rules. Raises InputError for what is wrong with them."""
     table = scene_table()
     v = read_document(document, table)
-    row, misfits = None, []
     if not any(path == "bearing.catalog" for path, _, _ in v.faults):
-        row = catalog_row(v)
-        misfits = [*fill_from_catalog(v, row)]
-    faults = [*faults_of(table, v), *(fault_at(document, *misfit) for misfit in misfits)]
-    if not faults:
-        scene, found = None, list(_conflicts(document, v, row))
-        if not found:
-            apply_rules(v)
-            found = [*shoulder_faults(v)]
-        if not found:
-            scene, found = _scene(document, v, row, folder)
-            found = [fault for fault in found if given is None or fault[0] in given or not fault[0].startswith(BESIDE)]
-        if scene is not None and not found:
-            read = _with_measured(scene, v, folder, measured)
-            return SceneByTemperature(scene=read, origin=origin, values=v, thermal=v.noun(Thermal, "thermal"))
-        faults = [fault_at(document, key, problem) for key, problem in found]
-    more = f"; and {len(faults) - MOST_FAULTS} more" if len(faults) > MOST_FAULTS else ""
-    raise InputError(f"{origin}: " + "; ".join(faults[:MOST_FAULTS]) + more)
+        fill_from_catalog(v)
+    _refuse(origin, v, v.misfits, faults=faults_of(table, v))
+    _refuse(origin, v, _conflicts(v))
+    apply_rules(v)
+    _refuse(origin, v, shoulder_faults(v))
+    return v
 
 
-def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) -> Iterator[tuple[str, str]]:
+def _refuse(origin: str, v: Values, misfits: Iterable[tuple[str, str]], *, faults: Iterable[str] = ()) -> None:
+    """Raise InputError for faults in words, and for (key, problem) of values, if there are any."""
+    said = [*faults, *(fault_at(v.document, *each) for each in misfits)]
+    more = f"; and {len(said) - MOST_FAULTS} more" if len(said) > MOST_FAULTS else ""
+    if said:
+        raise InputError(f"{origin}: " + "; ".join(said[:MOST_FAULTS]) + more)
+
+
+def _conflicts(v: Values) -> Iterator[tuple[str, str]]:
     """(key, problem) of keys that are valid on their own and in conflict with each other."""
     rule, value, tilt = (
         v[key] for key in ("bearing.contact_angle.rule", "bearing.contact_angle.value", "operation.tilt")
@@ -320,16 +344,15 @@ def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) 
         yield "bearing.contact_angle.free", 'goes with rule = "solved"; leave it out'
     if rule == "solved" and value is not None:
         yield "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
-    yield from bearing_faults(v, row)
+    yield from bearing_faults(v)
     yield from installation_faults(v)
     if isinstance(tilt, float) and "operation.moment" in v.said:
         yield "operation.tilt", "holds the ring, and operation.moment tilts it; leave one of them out"
     if tilt not in (None, "free", 0.0) and rule == "given":
         yield "operation.tilt", 'changes the contact angles, which rule = "given" holds; use "solved", or leave it out'
-    given = {name: v[f"operation.{name}"] for name in document["operation"] if name not in ("down", "tilt")}
-    lists = {
-        name: each for name, each in given.items() if len(each) > 1 or isinstance(document["operation"][name], list)
-    }
+    given = {name: each for name, each in v.document["operation"].items() if name not in ("down", "tilt")}
+    lists = {name: v[f"operation.{name}"] for name in given}
+    lists = {name: each for name, each in lists.items() if len(each) > 1 or isinstance(given[name], list)}
     if len({len(each) for each in lists.values()}) > 1:
         counts = " and ".join(f"operation.{name} has {len(each)}" for name, each in lists.items())
         yield "", f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"
@@ -339,7 +362,7 @@ def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) 
         if not is_preloaded and not all(any(point) for point in points):
             problem = 'leaves a point without any load; give for example "1000 N", or a radial load or a moment'
             yield "operation.axial_load", problem
-        yield from (("operation.axial_load", problem) for problem in _apart(v, row))
+        yield from (("operation.axial_load", problem) for problem in _apart(v))
     has_cage = "cage" in v.said
     if has_cage and (v["cage.pocket_clearance"] is None) == (v["cage.pocket_diameter"] is None):
         yield "", "cage needs exactly one of pocket_clearance and pocket_diameter"
@@ -348,37 +371,52 @@ def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) 
         yield "friction.coefficient", problem
     if "surface" in v.said:
         yield from surface_conflicts(v)
-    yield from thermal_faults(v)
+    yield from _thermal_faults(v)
     if "lubricant" in v.said:
         try:
             lubricant_of(v, ball_radius=v["bearing.ball_diameter"] / 2)
         except InputError as problem:
             yield "", str(problem)
     for name in ("cage", "cage_dynamics", "ball_dynamics"):
-        if not (has_cage or _assumes_cage(v, row)) and v[f"effects.{name}"] == "on":
+        if not (has_cage or _assumes_cage(v)) and v[f"effects.{name}"] == "on":
             yield f"effects.{name}", "needs a table [cage]; give one, or leave the effect out"
 
 
-def _seating(v: Values, row: CatalogBearing | None) -> Iterator[tuple[float, float]]:
-    """(thrust, radial load times tan(angle)), N, of each point of a single angular contact bearing of the catalogue."""
-    if row is None or row.nominal_angle is None or "arrangement" in v.said:
+def _thermal_faults(v: Values) -> Iterator[tuple[str, str]]:
+    """(key, problem) of a scene with [thermal] whose oil is not known at other temperatures."""
+    viscosity: GivenViscosity | None = v["lubricant.viscosity"]
+    if "thermal" not in v.said:
         return
-    tangent = float(np.tan(row.nominal_angle))
+    if "lubricant" not in v.said:
+        yield "thermal", "warms the oil, and the scene has no [lubricant]; add one, or leave [thermal] out"
+    elif viscosity is not None and not viscosity.is_pair:
+        yield (
+            "lubricant.viscosity",
+            "is known at one temperature alone, and [thermal] changes the temperature; give two viscosities, as "
+            '["46 cSt at 40 degC", "6.8 cSt at 100 degC"], or name = "ISO VG 46" in its place',
+        )
+
+
+def _seating(v: Values) -> Iterator[tuple[float, float]]:
+    """(thrust, radial load times tan(angle)), N, of each point of a single angular contact bearing of the catalogue."""
+    if v.row is None or v.row.nominal_angle is None or "arrangement" in v.said:
+        return
+    tangent = float(np.tan(v.row.nominal_angle))
     for thrust, side in np.broadcast(v["operation.axial_load"], v["operation.radial_load"]):
         yield float(thrust), abs(float(side)) * tangent
 
 
-def _apart(v: Values, row: CatalogBearing | None) -> Iterator[str]:
+def _apart(v: Values) -> Iterator[str]:
     """Why a radial load alone is none that a single angular contact bearing carries."""
-    alone = [spread for thrust, spread in _seating(v, row) if spread and not thrust]
+    alone = [spread for thrust, spread in _seating(v) if spread and not thrust]
     if alone:
         needed = float(f"{SEATED * max(alone):.3g}")
         yield f"lets an angular contact bearing slide apart; give some {needed:g} N of thrust, or an [arrangement]"
 
 
-def _loose(v: Values, row: CatalogBearing | None) -> Iterator[str]:
+def _loose(v: Values) -> Iterator[str]:
     """A warning where too little thrust loads fewer than half of the balls."""
-    if any(thrust < HALF_SEATED * spread for thrust, spread in _seating(v, row)):
+    if any(thrust < HALF_SEATED * spread for thrust, spread in _seating(v)):
         yield (
             f"the thrust loads fewer than half of the balls of this angular contact bearing: {HALF_SEATED:g} times the "
             "radial load times tan(contact angle) loads half of them where the ring is held straight, "
@@ -392,72 +430,50 @@ def _is_free(v: Values) -> bool:
     return tilt == "free" or (tilt is None and "operation.moment" in v.said)
 
 
-def _scene(
-    document: dict[str, Any], v: Values, row: CatalogBearing | None, folder: Path
-) -> tuple[Scene, list[tuple[str, str]]]:
-    """The scene, and (key, problem) for everything in it that does not fit together."""
-    bearing = bearing_of(v, row)
-    if row is not None and row.other_candidate is not None and row.grade == "C" and not has_own_balls(v):
-        others = read_document(document, scene_table())
-        others |= dict(zip((f"bearing.{key}" for key in BALLS), row.other_candidate, strict=True))
-        list(fill_from_catalog(others, row))
+def _scene(v: Values, folder: Path) -> Scene:
+    """The scene; what in it does not fit together is noted in the values."""
+    bearing = bearing_of(v)
+    if v.row is not None and v.row.other_candidate is not None and v.row.grade == "C" and not has_own_balls(v):
+        others = read_document(v.document, scene_table())
+        others |= dict(zip((f"bearing.{key}" for key in BALLS), v.row.other_candidate, strict=True))
+        fill_from_catalog(others)
         apply_rules(others)
-        bearing = replace(bearing, other_candidate=bearing_of(others, row))
+        bearing = replace(bearing, other_candidate=bearing_of(others))
     angle = ContactAngle(**v.fields(ContactAngle, "bearing.contact_angle"))
     if bearing.kind == "thrust":
         angle = ContactAngle(rule="given", value=np.pi / 2)
     own = {path.removeprefix("bearing.") for path in v.said if path.startswith("bearing.")}
-    misfits = list(fit.bearing_misfits(bearing, gap_key=_gap_key(v), own=own))
-    delivered, clearances = bearing, None
-    if "mounting" in v.said and not misfits:
-        bearing, clearances, problems = in_operation(bearing, v)
-        misfits += problems
-    arrangement, unplaced = None, []
-    if "arrangement" in v.said and not misfits:
-        arrangement, unplaced = arranged(v, bearing, angle)
-    cage = None
-    if not misfits:
-        misfits += fit.angle_misfits(bearing, angle) if bearing.kind == "radial" else ()
-        cage, unfit = _cage_of(v, delivered, row)
-        misfits += unfit
-    surface, unread = _surface(v, folder)
-    is_lubricated = "lubricant" in v.said
-    misfits += [*unread, *fit.surface_misfits(surface, bearing, cage, is_lubricated=is_lubricated)]
-    losses = Losses()
-    if not misfits:
+    v.misfits += fit.bearing_misfits(bearing, gap_key=_gap_key(v), own=own)
+    delivered, clearances, cage, losses = bearing, None, None, Losses()
+    if "mounting" in v.said and not v.misfits:
+        bearing, clearances = in_operation(bearing, v)
+    fits = not v.misfits
+    if fits:
+        v.misfits += fit.angle_misfits(bearing, angle) if bearing.kind == "radial" else ()
+        cage = _cage_of(v, delivered)
+    surface, is_lubricated = surface_of(v, folder), "lubricant" in v.said
+    v.misfits += fit.surface_misfits(surface, bearing, cage, is_lubricated=is_lubricated)
+    if not v.misfits:
         try:
-            losses = losses_of(v, delivered, row)
+            losses = losses_of(v, delivered)
         except InputError as problem:
-            misfits.append(("losses.seals", f"is refused: {problem}"))
-    scene = Scene(
-        name=v["name"],
-        tolerance=v["tolerance"],
-        bearing=bearing,
-        contact_angle=angle,
-        clearances=clearances,
-        arrangement=arrangement,
-        operation=_operation(v),
-        down=v["operation.down"],
-        cage=cage,
-        lubricant=lubricant_of(v, ball_radius=bearing.ball_diameter / 2) if is_lubricated else None,
-        surface=surface,
-        friction_coefficient=v["friction.coefficient"],
-        **{name: v[f"friction.{name}"] for name in OF_FRICTION},
-        losses=losses,
-        effects=_effects(v, has_no_cage=cage is None and (row is not None or NO_CAGE in v.said)),
-        calibration=v["calibration"],
-        report=ReportDetails(**v.fields(ReportDetails, "report")),
-        warnings=(*_of_designation(v, row), *_loose(v, row), *fit.warnings(bearing, cage)),
-    )
-    return (scene, [*misfits, *unplaced]) if misfits or unplaced else _with_spreads(v, scene)
-
-
-def _with_spreads(v: Values, scene: Scene) -> tuple[Scene, list[tuple[str, str]]]:
-    """The scene with its [uncertainty] and [assumed], and what in these does not fit."""
-    spreads, unfitting = given_spreads(v, scene)
-    sources, unmatched = given_assumptions(v, scene)
-    scene = replace(scene, uncertainty=read_only(spreads), assumed=read_only(sources))
-    return scene, [*unfitting, *unmatched]
+            v.misfits.append(("losses.seals", f"is refused: {problem}"))
+    parts = {
+        "bearing": bearing,
+        "contact_angle": angle,
+        "clearances": clearances,
+        "arrangement": arranged(v, bearing, angle) if "arrangement" in v.said and fits else None,
+        "operation": _operation(v),
+        "down": v["operation.down"],
+        "cage": cage,
+        "lubricant": lubricant_of(v, ball_radius=bearing.ball_diameter / 2) if is_lubricated else None,
+        "surface": surface,
+        "losses": losses,
+        "effects": _effects(v, has_no_cage=cage is None and (v.row is not None or NO_CAGE in v.said)),
+        "warnings": (*_of_designation(v), *_loose(v), *fit.warnings(bearing, cage)),
+    }
+    scene = Scene(**v.fields(Scene, "", **parts))
+    return scene if v.misfits else with_spreads(v, scene)
 
 
 def _effects(v: Values, *, has_no_cage: bool) -> Mapping[str, Decision]:
@@ -465,24 +481,11 @@ def _effects(v: Values, *, has_no_cage: bool) -> Mapping[str, Decision]:
     return read_only(effects | ({"cage": "off"} if has_no_cage else {}))
 
 
-def _of_designation(v: Values, row: CatalogBearing | None) -> Iterator[str]:
+def _of_designation(v: Values) -> Iterator[str]:
     """The warnings of the catalogue's row, without those on balls that the scene replaces."""
-    if row is not None:
-        replaced = row.ball_warnings if has_other_balls(v, row) else ()
-        yield from (warning for warning in row.warnings if warning not in replaced)
-
-
-def _surface(v: Values, folder: Path) -> tuple[Surface | None, list[tuple[str, str]]]:
-    """The surface, and (key, problem) for a height map that cannot be read."""
-    if "surface" not in v.said:
-        return None, []
-    try:
-        surface = surface_of(v, folder)
-    except InputError as problem:
-        return None, [("surface.height_map.path", str(problem))]
-    if surface.height_map is None or os.path.isfile(surface.height_map.path):
-        return surface, []
-    return None, [("surface.height_map.path", "is not a file; give its path from the scene file's folder")]
+    if v.row is not None:
+        replaced = v.row.ball_warnings if has_other_balls(v) else ()
+        yield from (warning for warning in v.row.warnings if warning not in replaced)
 
 
 def _with_measured(scene: Scene, v: Values, folder: Path, given: str | os.PathLike[str] | None) -> Scene:
@@ -501,31 +504,32 @@ def _gap_key(v: Values) -> str:
     return next((key for key in keys if v[key] is not None), fit.BOTTOM)
 
 
-def _assumes_cage(v: Values, row: CatalogBearing | None) -> bool:
+def _assumes_cage(v: Values) -> bool:
     """Whether the scene says nothing of the cage of a bearing of the catalogue, nor of its pockets."""
-    return row is not None and not {"cage", NO_CAGE, "losses.pockets"} & v.said
+    return v.row is not None and not {"cage", NO_CAGE, "losses.pockets"} & v.said
 
 
-def _cage_of(v: Values, bearing: Bearing, row: CatalogBearing | None) -> tuple[Cage | None, list[tuple[str, str]]]:
-    """The cage of a bearing as it is delivered, and (key, problem) for what does not fit.
+def _cage_of(v: Values, bearing: Bearing) -> Cage | None:
+    """The cage of a bearing as it is delivered.
 
     One that is assumed fits, and rests on its balls; None where the balls leave no web, or are tiny.
     """
-    if _assumes_cage(v, row):
-        sizes = assumed_cage(bearing, () if row is None else row.suffixes.values())
+    if _assumes_cage(v):
+        sizes = assumed_cage(bearing, () if v.row is None else v.row.suffixes.values())
         if not sizes or bearing.ball_diameter < LEAST_CAGED:
-            return None, []
+            return None
         usual = read_document({"cage": in_si(sizes | {"friction_coefficient": FRICTION}, "cage")}, scene_table())
         usual[BALL] = bearing.ball_diameter
         apply_rules(usual)
-        return replace(_cage(usual, assumed=ORIGINS), gives_way=True), []
+        return replace(_cage(usual, assumed=ORIGINS), gives_way=True)
     if "cage" not in v.said:
-        return None, []
+        return None
     own = {path.removeprefix("cage.") for path in v.said}
-    cage = _cage(v, assumed=() if row is None else {*ORIGINS} - own)
+    cage = _cage(v, assumed=() if v.row is None else {*ORIGINS} - own)
     pocket = "pocket_clearance" if "cage.pocket_clearance" in v else "pocket_diameter"
     overlaps = v["cage.variant"] == AS_PRINTED
-    return cage, [*fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)]
+    v.misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
+    return cage
 
 
 def _cage(v: Values, *, assumed: Collection[str]) -> Cage:
@@ -536,8 +540,6 @@ def _cage(v: Values, *, assumed: Collection[str]) -> Cage:
             "cage",
             origins=read_only({key: ORIGINS[key] for key in assumed if v[f"cage.{key}"] is not None}),
             pocket_stiffness=v["cage.pocket_stiffness"],
-            material=v["cage.material"],
-            land=v.noun(Land, "cage.land"),
         )
     )
 

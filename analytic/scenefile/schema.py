@@ -8,8 +8,8 @@ from typing import Any
 from analytic import catalog
 from analytic.declared import REQUIRED, Key, Kind, Switch, Table, Whole, Word
 from analytic.quantity import NUMBER, Dimension, QuantityOrWord, Series
-from analytic.scenefile.keys import Direction, Extent, RowOf, Solid, Spread, scene_table
-from analytic.scenefile.viscosity import Viscosity
+from analytic.scenefile.keys import scene_table
+from analytic.scenefile.kinds import Direction, Extent, RowOf, Solid, Spread, Viscosity
 
 DIALECT = "http://json-schema.org/draft-07/schema#"  # that editors of TOML know
 FILLED = ("bearing", "bearing.inner", "bearing.outer", "cage")  # by the catalog: no key of these tables is required
@@ -30,9 +30,7 @@ def table_schema(table: Table, *, whole: bool = True) -> Schema:
         "additionalProperties": False,
         "properties": {name: entry_schema(entry, whole=whole) for name, entry in table.keys.items()},
     }
-    needed = [
-        name for name, entry in table.keys.items() if getattr(entry, "default", None) is REQUIRED or _is_needed(entry)
-    ]
+    needed = [name for name, entry in table.keys.items() if entry.default is REQUIRED]
     return result | {"required": needed} if whole and needed and table.path not in FILLED else result
 
 
@@ -48,10 +46,6 @@ def entry_schema(entry: Key | Table, *, whole: bool = True) -> Schema:
     default = entry.default
     plain = isinstance(default, str | bool) or (isinstance(default, int) and result.get("type") == "integer")
     return result | ({"default": default} if plain else {})
-
-
-def _is_needed(entry: Key | Table) -> bool:
-    return isinstance(entry, Table) and entry.is_required
 
 
 def _value(kind: Kind, whole: bool) -> Schema:

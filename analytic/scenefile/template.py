@@ -11,10 +11,9 @@ from analytic.errors import InputError
 from analytic.given import OperatingOptions
 from analytic.quantity import SI
 from analytic.scene import Origin
-from analytic.scenefile.losses import SHOULDER
 from analytic.scenefile.setting import given_values
-from analytic.scenefile.usual import is_light, light_share, usual_values
-from analytic.scenefile.usual_cage import cage_sizes
+from analytic.scenefile.tables import SHOULDER
+from analytic.scenefile.usual import cage_sizes, is_light, light_share, usual_values
 
 SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
 GROUPS = ("CN", "C3")  # whose spans are told beside the bearing's own group

@@ -8,8 +8,7 @@ from analytic.numerics.compilation import compiled
 from analytic.numerics.cubic import Pieces, cubic_at
 from analytic.numerics.elements import formula
 from analytic.scene import Array, Material, Surface
-from analytic.surface.asperity import first_yield, softer_hardness
-from analytic.surface.asperity_table import SummitNumbers
+from analytic.surface.asperity import SummitNumbers, first_yield, softer_hardness
 from analytic.surface.elastic_gap import (
     ElasticNumbers,
     declared_gap_curve,

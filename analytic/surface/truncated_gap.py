@@ -15,7 +15,7 @@ from analytic.numerics.cubic import Pieces, monotone_cubic
 from analytic.numerics.elements import formula
 from analytic.numerics.normal_distribution import LOG_PEAK, mean_excess, mills_ratio
 from analytic.scene import Array
-from analytic.surface.asperity_table import SummitNumbers, separation_of, summit_area, tabulated_asperities
+from analytic.surface.asperity import SummitNumbers, separation_of, summit_area, tabulated_asperities
 from analytic.surface.moments import Summits
 
 INVERSE = -np.sinh(np.linspace(np.arcsinh(700.0), -np.arcsinh(5.0), 60))  # ln p over the tables' scale

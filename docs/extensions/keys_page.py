@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from analytic.declared import REQUIRED, Key, Switch, Table, Whole, Word
 from analytic.quantity import Dimension, QuantityOrWord
-from analytic.scenefile.keys import Direction, RowOf, Solid, Spread, scene_table
-from analytic.scenefile.viscosity import Viscosity
+from analytic.scenefile.keys import scene_table
+from analytic.scenefile.kinds import Direction, RowOf, Solid, Spread, Viscosity
 from docs.extensions.tables import code, table
 
 HEAD = """\

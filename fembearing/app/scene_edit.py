@@ -9,10 +9,10 @@ from typing import Any
 
 from analytic import catalog, scene_text
 from analytic.errors import InputError
+from analytic.scenefile.find import parse_text
 from analytic.scenefile.keys import scene_key, with_key
 from analytic.scenefile.setting import read_setting
 from analytic.scenefile.template import COLUMN
-from analytic.scenefile.text import parse_text
 from analytic.units import METRIC
 from analytic.words import NEWTON, RPM, Unit
 

@@ -22,7 +22,7 @@ def duty(given: Given, output: Output, talk: Talk, scene: Named, cycle: CycleFil
     """
     require_scene_first("duty", scene, cycle)
     from analytic.prediction.duty import cycle_with_torques
-    from analytic.scenefile.cycle import read_cycle
+    from analytic.scenefile.columns import read_cycle
     from analytic.standing import worst_standing
     from fembearing.cli.console import out, print_json, tell_assumed
     from fembearing.plain_types import document

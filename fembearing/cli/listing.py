@@ -85,7 +85,7 @@ def _bearings() -> list[Row]:
 
 def _oils() -> list[Row]:
     from analytic import catalog
-    from analytic.scenefile.known_oil import assumed_properties
+    from analytic.scenefile.oil import assumed_properties
 
     return [
         {

@@ -17,7 +17,7 @@ from fembearing.cli.status import print_warnings
 
 if TYPE_CHECKING:
     from analytic.scene import Scene
-    from analytic.scenefile.by_temperature import SceneByTemperature
+    from analytic.scenefile.read import SceneByTemperature
 
 BUILTIN = "paper_6205"
 STANDARD_INPUT = "-"  # as the name of a scene
@@ -242,7 +242,7 @@ Bodies = Annotated[
 def _standard_input() -> str:
     """Raises InputError for more than a scene file may have, and for what is not UTF-8."""
     from analytic.errors import InputError
-    from analytic.scenefile.text import LARGEST_FILE
+    from analytic.scenefile.find import LARGEST_FILE
 
     content = sys.stdin.buffer.read(LARGEST_FILE + 1)
     if len(content) > LARGEST_FILE:

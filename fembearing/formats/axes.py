@@ -10,8 +10,8 @@ from analytic.errors import InputError, real_numbers
 from analytic.given import KEYS
 from analytic.quantity import MOST, Range, range_of
 from analytic.scene import Array, Scene
-from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.scenefile.keys import scene_key
+from analytic.scenefile.read import SceneByTemperature
 from analytic.scenefile.setting import as_plain, read_setting
 from analytic.units import METRIC
 from analytic.words import NEWTON, RPM, Unit, plain, shown

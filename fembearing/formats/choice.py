@@ -13,8 +13,7 @@ from analytic.given import SceneOptions
 from analytic.prediction.steady import at_steady_temperature
 from analytic.progress import Progress, silent
 from analytic.scene import Scene
-from analytic.scenefile.by_temperature import SceneByTemperature
-from analytic.scenefile.read import any_by_temperature
+from analytic.scenefile.read import SceneByTemperature, load_by_temperature
 from analytic.standing import WorstStanding, worst_standing
 from analytic.words import plain
 from analytic.writing import new_file, require_utf8
@@ -110,7 +109,7 @@ def export(
     it is the limit for small speeds, at which the bearing begins to turn.
     Sources: those of `analytic.friction_torque`; [FMI2022], [Modelica2020] and [Timbo2020] for the forms.
     """
-    return export_of(any_by_temperature(scene, **given), to=to, out=out, over=over, progress=progress)
+    return export_of(load_by_temperature(scene, **given), to=to, out=out, over=over, progress=progress)
 
 
 def export_of(

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from analytic.progress import Progress
-from analytic.scenefile.by_temperature import SceneByTemperature
+from analytic.scenefile.read import SceneByTemperature
 from analytic.words import NEWTON_MILLIMETRE
 from fembearing.csv_text import csv_of_columns
 from fembearing.formats.axes import SHOWN, Axes

@@ -20,7 +20,7 @@ from xml.etree.ElementTree import Element, SubElement
 from analytic.errors import InputError
 from analytic.progress import Progress, part_of
 from analytic.scene import Array
-from analytic.scenefile.by_temperature import SceneByTemperature
+from analytic.scenefile.read import SceneByTemperature
 from fembearing.formats.axes import SHOWN, Axes, axes_in_words
 from fembearing.formats.interpolation import table_error
 from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque

@@ -11,7 +11,7 @@ from pathlib import Path
 from analytic.errors import InputError
 from analytic.progress import Progress
 from analytic.scene import Array
-from analytic.scenefile.by_temperature import SceneByTemperature
+from analytic.scenefile.read import SceneByTemperature
 from fembearing.formats.axes import Axes, axes_in_words
 from fembearing.formats.interpolation import table_error
 from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque

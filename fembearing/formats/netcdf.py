@@ -6,7 +6,7 @@ from pathlib import Path
 from analytic.columns import COORDINATES
 from analytic.labelled import Column, Labelled, dataset_of
 from analytic.progress import Progress
-from analytic.scenefile.by_temperature import SceneByTemperature
+from analytic.scenefile.read import SceneByTemperature
 from fembearing.formats.axes import Axes
 from fembearing.formats.torque_map import OF_OPERATION, mapped_torque
 from fembearing.provenance import provenance_of

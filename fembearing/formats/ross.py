@@ -15,7 +15,7 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.progress import Progress
 from analytic.scene import Array
-from analytic.scenefile.by_temperature import SceneByTemperature
+from analytic.scenefile.read import SceneByTemperature
 from analytic.torque import friction_torque
 from fembearing.formats.axes import Axes, axes_in_words
 

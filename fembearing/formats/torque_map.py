@@ -27,7 +27,7 @@ from analytic.prediction.first_order import first_order_ends
 from analytic.progress import Progress, silent
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Operation, Scene
-from analytic.scenefile.by_temperature import SceneByTemperature
+from analytic.scenefile.read import SceneByTemperature
 from analytic.torque import friction_torque
 from fembearing.formats.axes import SLOWEST, Axes
 

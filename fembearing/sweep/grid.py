@@ -26,10 +26,9 @@ from analytic.declared import Key, Table, Whole, Word, nothing
 from analytic.errors import InputError
 from analytic.quantity import SI, Dimension
 from analytic.scene import Pair, Scene
-from analytic.scenefile.find import find_scene
+from analytic.scenefile.find import find_scene, parse_text, read_text
 from analytic.scenefile.keys import Values, faults_of, read_document, scene_key, with_key
 from analytic.scenefile.read import scene_of, whole_document
-from analytic.scenefile.text import parse_text, read_text
 from analytic.words import plain, shown
 
 What = Literal["torque", "contact"]

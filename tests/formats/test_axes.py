@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from analytic.scene import Array, Scene
-from analytic.scenefile.read import any_by_temperature, load_by_temperature, load_scene
+from analytic.scenefile.read import load_by_temperature, load_scene
 from fembearing.formats.axes import axes_in_words, axes_of, axis_values
 from tests.refusals import refused
 
@@ -16,7 +16,7 @@ RPM = np.pi / 30
 
 
 def axes_at(scene: Scene, over: Mapping[str, Any], *, whole: bool) -> dict[str, Array]:
-    return axes_of(any_by_temperature(scene), over, whole=whole)
+    return axes_of(load_by_temperature(scene), over, whole=whole)
 
 
 def test_a_range_has_even_steps_or_equal_ratios_and_its_ends_exactly() -> None:

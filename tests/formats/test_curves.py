@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.scene import Scene
-from analytic.scenefile.read import any_by_temperature, load_scene
+from analytic.scenefile.read import load_by_temperature, load_scene
 from fembearing.formats.axes import axes_of
 from fembearing.formats.choice import FormatName, export
 from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
@@ -24,7 +24,7 @@ def scene() -> Scene:
 
 @pytest.fixture(scope="module")
 def curve(scene: Scene) -> TorqueMap:
-    found = any_by_temperature(scene)
+    found = load_by_temperature(scene)
     return mapped_torque(found, from_standstill(axes_of(found, OVER, whole=False)))
 
 
@@ -82,7 +82,7 @@ def test_standstill_is_added_and_the_stated_error_holds(to: FormatName, scene: S
     stated = re.search(r"by up to ([\d.]+) %", made.notes[0])
     assert stated
     text = made.file.read_text("utf-8")
-    found = any_by_temperature(scene)
+    found = load_by_temperature(scene)
     table = mapped_torque(found, from_standstill(axes_of(found, over, whole=False)))
     speeds, torques = table.axes["speed"], table.nominal.ravel()
     assert repr(speeds[1].item()) in text

@@ -11,8 +11,7 @@ import xarray
 from analytic import friction_torque, parse_scene, scene_text, torque_function
 from analytic.prediction.first_order import first_order_ends
 from analytic.scene import Operation, Scene
-from analytic.scenefile.by_temperature import SceneByTemperature
-from analytic.scenefile.read import any_by_temperature, load_by_temperature, load_scene, parse_by_temperature
+from analytic.scenefile.read import SceneByTemperature, load_by_temperature, load_scene, parse_by_temperature
 from fembearing.formats.axes import axes_of
 from fembearing.formats.choice import export, export_of
 from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
@@ -81,7 +80,7 @@ def test_an_oil_that_is_known_at_one_temperature_has_no_other(scene: Scene, tmp_
     settings = {**BALANCED, "lubricant.name": "ISO VG 68", "lubricant.viscosity": "0.031 Pa s"}
     settings["lubricant.temperature"] = "60 degC"
     named = load_by_temperature("6206", speed="1500 rpm", radial_load="900 N", settings=settings)
-    made = any_by_temperature(scene)
+    made = load_by_temperature(scene)
     for each, words in (
         (made, ["a Scene holds its oil at one temperature"]),
         (named, ["oil at 45 degC", "0.031 Pa s", "give two viscosities"]),
@@ -154,7 +153,7 @@ def test_csv_and_netcdf_have_the_map(found: SceneByTemperature, table: TorqueMap
 def test_free_balls_have_the_interval_of_balanced_ones() -> None:
     """The ends over the torque, as the map has them: within 10 %, where they are 0.47 to 3.8 of it."""
     scene = load_scene("6206", speed="1500 rpm", radial_load="2 kN")
-    made = any_by_temperature(scene)
+    made = load_by_temperature(scene)
     found = mapped_torque(made, axes_of(made, {"speed": [0.3, 3.0, 30.0]}, whole=False))
     point = Operation(inner_speed=np.array([0.3, 30.0]), axial_load=np.zeros(2), radial_load=np.full(2, 2000.0))
     nominal = friction_torque(replace(scene, operation=point))

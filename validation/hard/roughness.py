@@ -6,8 +6,7 @@ from collections.abc import Callable
 import numpy as np
 
 from analytic.scene import Array, Autocorrelation
-from analytic.surface.asperity import asperity_load
-from analytic.surface.asperity_table import SummitNumbers, log_pressure_at, separation_of, tabulated_asperities
+from analytic.surface.asperity import REGIMES, SummitNumbers, log_pressure_at, separation_of, tabulated_asperities
 from analytic.surface.heightmap import read_height_map
 from analytic.surface.moments import Summits, mccool_summits
 from analytic.surface.roughness import spectral_moments
@@ -42,8 +41,9 @@ def rough(rms_roughness: float) -> tuple[Array, SummitNumbers]:
 
 def summit(interference: float) -> float:
     """Load on one summit, N."""
-    one = asperity_load(interference=interference, tip_radius=TIP, modulus=MODULUS, hardness=HARDNESS)
-    return float(one.load)
+    ratio = np.array([interference / FIRST_YIELD])
+    pressure, growth = next(law(ratio) for low, high, law in REGIMES if low <= ratio < high)
+    return float(np.squeeze(math.pi * TIP * interference * growth * HARDNESS * pressure))
 
 
 def apart(deviations: float) -> float:

@@ -18,7 +18,7 @@ import numpy as np
 
 from analytic import friction_torque, load_scene
 from analytic.prediction.duty import cycle_with_torques
-from analytic.scenefile.cycle import read_cycle
+from analytic.scenefile.columns import read_cycle
 from analytic.scenefile.read import load_by_temperature
 from analytic.standing import worst_standing
 from analytic.surface.heightmap import measure, read_height_map

@@ -20,8 +20,8 @@ import fembearing
 from analytic import friction_torque, load_scene
 from analytic.prediction.duty import cycle_with_torques
 from analytic.scene import Scene
-from analytic.scenefile.cycle import read_cycle
-from analytic.scenefile.read import any_by_temperature
+from analytic.scenefile.columns import read_cycle
+from analytic.scenefile.read import load_by_temperature
 from analytic.scenefile.template import scene_text as template
 from analytic.standing import worst_standing
 from fembearing.check.creep.scene_creep import creep_of
@@ -85,7 +85,7 @@ def _compare(scene: Scene, folder: Path) -> None:
 
 def _duty(scene: Scene, folder: Path) -> None:
     (folder / "cycle.csv").write_text(CYCLE, "utf-8")
-    cycle, torques = cycle_with_torques(any_by_temperature(scene), read_cycle(folder / "cycle.csv"))
+    cycle, torques = cycle_with_torques(load_by_temperature(scene), read_cycle(folder / "cycle.csv"))
     write_all(duty_files(cycle, worst_standing(torques), scene), folder)
 
 

@@ -20,8 +20,7 @@ from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.progress import Progress, part_of, silent
 from analytic.rows import Count, NotNegative
 from analytic.scene import MeasuredTorque, Scene
-from analytic.scenefile.columns import operating_points, require_loads
-from analytic.scenefile.measured import read_measured
+from analytic.scenefile.columns import operating_points, read_measured, require_loads
 from analytic.verdicts import Overall
 from fembearing.check.measured.conclusions import conclusions_of, notes_of
 from fembearing.check.measured.rows import MeasuredRow, row_of

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
 from analytic.scene import MeasuredTorque
-from analytic.scenefile.measured import OPERATING
+from analytic.scenefile.columns import OPERATING
 from analytic.words import percent_of
 from fembearing.check.measured.rows import COVERAGE, MeasuredRow
 

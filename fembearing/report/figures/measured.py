@@ -11,7 +11,7 @@ from analytic.columns import COLUMNS
 from analytic.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, RED, WIDTH, lettered, scaled
 from analytic.figures.torque import logarithmic_torques
 from analytic.scene import Array
-from analytic.scenefile.measured import OPERATING
+from analytic.scenefile.columns import OPERATING
 from analytic.units import METRIC, Units
 from analytic.words import Unit
 from fembearing.check.measured.comparison import MeasuredComparison

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from analytic.scenefile.measured import OPERATING
+from analytic.scenefile.columns import OPERATING
 from analytic.units import METRIC, Units, speed_words
 from fembearing.check.measured.comparison import MeasuredComparison
 from fembearing.check.measured.rows import MeasuredRow

@@ -144,6 +144,8 @@ def test_every_number_has_an_origin() -> None:
         assert balls.uncertainty is not None
         share = balls.uncertainty / bearing.ball_diameter
         np.testing.assert_allclose(share, 0.06 if bearing.grade == "C" else 0.001)  # docs/catalogue.md
+        assert bearing.origins["ball_count"].uncertainty == (1.0 if bearing.grade == "C" else 0.0), name
+        assert ("right in about" in balls.source) == (bearing.grade in ("A", "B")), name
         assert bearing.origins["outer.conformity"].status == "assumed"
         unknown = bearing.origins["inner.shoulder_half_width"].status == "not known"
         assert unknown == (bearing.shoulder_half_width[0] is None), name

@@ -39,24 +39,6 @@ def origins(*, scaled: bool = False, **changed: str) -> dict[str, Origin]:
     return origins_of(ROW | changed, scaled=scaled)
 
 
-@pytest.mark.parametrize(
-    ("grade", "count", "share", "trust"),
-    [
-        ("A", 0.0, 0.001, "right in about 95 %"),
-        ("B", 0.0, 0.001, "right in about 85 %"),
-        ("C", 1.0, 0.06, "grade C"),  # one ball more or less, of another size
-    ],
-)
-def test_balls_are_as_uncertain_as_their_grade(grade: str, count: float, share: float, trust: str) -> None:
-    found = origins(grade=grade)
-    assert found["ball_count"].uncertainty == count
-    assert found["ball_diameter"].uncertainty == pytest.approx(share * 8.7e-3, rel=1e-12)
-    for name in ("ball_count", "ball_diameter"):
-        assert found[name].status == "derived"
-        assert trust in found[name].source
-    assert ("right in about" in found["ball_count"].source) == (grade != "C")
-
-
 @pytest.mark.parametrize("ring", ["inner", "outer"])
 def test_a_groove_lies_evenly_between_the_tightest_print_and_the_limit_of_the_ratings(ring: str) -> None:
     """The standard deviation of numbers that lie evenly in a range is its width over sqrt(12)."""

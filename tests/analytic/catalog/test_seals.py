@@ -39,11 +39,7 @@ def test_the_formula_by_hand(designation: str, diameter: float, expected: float)
 
 @pytest.mark.parametrize(
     ("designation", "alike"),
-    [
-        ("6210-2RSH", "6210-2RS1"),
-        ("7208 BEP-2RSH", "7208 BEP-2RS1"),
-        ("6310-LLH", "6310-2RSL"),
-    ],
+    [("6210-2RSH", "6210-2RS1"), ("7208 BEP-2RSH", "7208 BEP-2RS1"), ("6310-LLH", "6310-2RSL")],
 )
 def test_seals_without_constants_are_as_those_of_another_type(designation: str, alike: str) -> None:
     found, other = (seal_torque(find_bearing(each), counterface=40e-3) for each in (designation, alike))

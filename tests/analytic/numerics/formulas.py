@@ -43,13 +43,7 @@ def both(base, tables):
 
 
 @entry(
-    lambda: {
-        "bases": 1,
-        "tables": Tables(1, dtype_of(Law)),
-        "limits": (float, int),
-        "sums": (SUMS, 2),
-        "adds": bool,
-    }
+    lambda: {"bases": 1, "tables": Tables(1, dtype_of(Law)), "limits": (float, int), "sums": (SUMS, 2), "adds": bool}
 )
 def fill(bases: Array, tables: Tables, limits: tuple[float, int], sums: Array, adds: bool) -> int:
     """Write the sums of the first bases, from a least one on; returns how many."""

@@ -18,9 +18,7 @@ from analytic.oil.lubrication import (
     rolling_torque_of,
 )
 from analytic.oil.race_resistance import SMOOTH_FORM
-from analytic.oil.rolling import (
-    hydrodynamic_rolling,
-)
+from analytic.oil.rolling import hydrodynamic_rolling
 from analytic.oil.starvation import FLOODED
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import oil_at, oil_numbers

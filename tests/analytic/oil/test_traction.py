@@ -12,13 +12,7 @@ from hypothesis import given
 from analytic.errors import InputError
 from analytic.oil.film import Inflow, asymptotes_of
 from analytic.oil.mixed import mixed_contact
-from analytic.oil.traction import (
-    law_of_oil,
-    mean_force,
-    mixed_traction,
-    oil_shear_stress,
-    stress_and_slope,
-)
+from analytic.oil.traction import law_of_oil, mean_force, mixed_traction, oil_shear_stress, stress_and_slope
 from analytic.oil.viscosity import oil_numbers
 from analytic.surface.gap import gap_law
 from analytic.surface.roughness import gap_roughness

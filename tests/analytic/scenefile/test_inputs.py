@@ -6,16 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.scene import (
-    Arrangement,
-    Clearances,
-    ContactAngle,
-    Losses,
-    Operation,
-    Origin,
-    Scene,
-    ShearedPockets,
-)
+from analytic.scene import Arrangement, Clearances, ContactAngle, Losses, Operation, Origin, Scene, ShearedPockets
 from analytic.scenefile.inputs import checked_deviation, known_inputs, stated_inputs, uncertain_value
 from analytic.scenefile.keys import UNCERTAIN
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE, present

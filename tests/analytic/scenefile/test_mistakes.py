@@ -13,10 +13,11 @@ from hypothesis import given
 
 from analytic.declared import AnyText, Key
 from analytic.errors import InputError
-from analytic.scenefile.keys import SOLIDS, Extent, scene_key, scene_table, with_key
+from analytic.scenefile.find import LARGEST_FILE
+from analytic.scenefile.keys import scene_key, scene_table, with_key
+from analytic.scenefile.kinds import Extent
 from analytic.scenefile.read import load_scene, scene_of
 from analytic.scenefile.setting import read_setting
-from analytic.scenefile.text import LARGEST_FILE
 from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
 
 BEARING = 'catalog = "paper_6205"'
@@ -57,10 +58,7 @@ SLIPS = [  # of people: text, and words of the message
     (changed(BEARING, "catalog = [[6205]]"), ("bearing.catalog = [[6205]]", 'in quotes, for example "6206"')),
     (changed(BEARING, ""), ("bearing.ball_count is missing", 'catalog = "6206"', "bearing.ball_diameter is missing")),
     (changed("catalog", "catalogue"), (": bearing.catalogue = 'paper_6205' is an unknown key; did you mean catalog?",)),
-    (with_bearing("ball_count = 17"), ("bearing.ball_count = 17", "at most 15 fit")),
     (with_bearing('ball_material = "stel"'), ("bearing.ball_material = 'stel'", "peek, silicon_nitride, steel")),
-    (with_bearing('inner.groove_radius = "3.97 mm"'),
-        ("bearing.inner.groove_radius = '3.97 mm'", "ball radius 3.97 mm", "line")),
     (with_bearing('outer.bottom_radius = "23.9 mm"'),
         ("bearing.outer.bottom_radius = '23.9 mm'", "clearance of 0.86 mm", "0.8 mm")),
     (with_bearing('inner.shoulder_half_width = "4.129 mm"\nouter.shoulder_half_width = "4.2 mm"'),
@@ -69,13 +67,10 @@ SLIPS = [  # of people: text, and words of the message
         ("bearing.clearance = '-600 um'", "7.638 mm", "at least -0.3969 mm")),
     (changed(BEARING, 'catalog = "6205"\npitch_diameter = "60 mm"'),
         ("bearing.pitch_diameter = '60 mm'", "outer groove's bottom at 67.9442 mm", "outside diameter of 52 mm")),
-    (with_bearing('bore_diameter = "31.06 mm"'), ("bearing.bore_diameter = '31.06 mm'", "below", "31.06 mm")),
     (changed('"solved"', '"given"'), ("bearing.contact_angle.value", '"0.18 rad"')),
     (changed('"solved"', '"solved", value = "0.3 rad"'), ("bearing.contact_angle.value = '0.3 rad'", "free")),
     (changed('"solved"', '"given", value = "48 deg"'), ("bearing.contact_angle.value = '48 deg'", "0.8276 rad")),
     (CAGE + 'pocket_clearance = "5.5 mm"', ("cage.pocket_clearance = '5.5 mm'", "13.44 mm", "13.3422 mm")),
-    (CAGE + 'pocket_diameter = "12.9 mm"\nwall_thickness = "0.45 mm"',
-        ("cage.wall_thickness = '0.45 mm'", "at most the web between pockets, 0.442206 mm")),
     (CAGE + 'variant = "as_printed"\npocket_depth = "5 mm"', ("cage.pocket_depth = '5 mm'", "cage.variant")),
     (CAGE + 'pocket_diameter = "9 mm"\npocket_clearance = "1 mm"', ("cage", "exactly one of", "pocket_clearance")),
     (changed('mass = "3 g"', "", INLINE), ("cage.mass is missing", '"2.04 g"')),
@@ -107,7 +102,7 @@ def wrong_values(key: Key) -> Iterator[object]:
 def refusals() -> Iterator[tuple[str, object]]:
     for path in scene_table().paths():
         key = scene_key(path)
-        inside = any(path.startswith(f"{solid}.") for solid in SOLIDS)
+        inside = path.rpartition(".")[0].endswith("material")
         if not inside or path.startswith("bearing.ball_material."):  # once for all materials
             yield from ((path, value) for value in wrong_values(key))
 

@@ -1,18 +1,18 @@
-"""A bearing in one line: how its options are read, and that the scene is the one that `fembearing init` writes."""
+"""A bearing in one line: how its options are read, the scene that `fembearing init` writes, and what they replace."""
 
-from pathlib import Path
+import re
 from typing import Any
 
 import numpy as np
 import pytest
 from pint import UnitRegistry
 
-from analytic import friction_torque, load_scene
+from analytic import friction_torque
 from analytic.given import KEYS, OperatingOptions
 from analytic.quantity import SI
 from analytic.scene import Scene
 from analytic.scenefile.keys import scene_table
-from analytic.scenefile.read import parse_scene
+from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.setting import read_setting, typed_settings
 from analytic.scenefile.template import scene_text
 from tests.refusals import refused
@@ -27,12 +27,7 @@ LINE: dict[str, Any] = {
     "supply": "grease",
 }
 WRITTEN: OperatingOptions = dict(  # noqa: C408
-    radial_load="3 kN",
-    axial_load="200 N",
-    speed="2900 rpm",
-    oil="ISO VG 46",
-    temperature="65 degC",
-    supply="grease",
+    radial_load="3 kN", axial_load="200 N", speed="2900 rpm", oil="ISO VG 46", temperature="65 degC", supply="grease"
 )
 
 
@@ -216,14 +211,6 @@ def test_a_bearing_with_seals_or_shields_is_greased(designation: str, supply: st
     assert found.usual["lubricant.supply"] == supply
 
 
-def test_the_seals_of_a_fast_6204_are_in_its_torque() -> None:
-    """0.023 d_s^2.25 + 2 N mm by hand, on the shoulder of SKF's 6204, d_1 = 28.8 mm; 0.5 % by its digits."""
-    found = friction_torque("6204-2RS", speed="10000 rpm", radial_load="0.3 kN")
-    bare = friction_torque("6204-2RS", speed="10000 rpm", radial_load="0.3 kN", settings={"losses.seals": "off"})
-    expected = 1e-3 * (0.023 * 28.8**2.25 + 2)
-    assert found.torque.total[0] - bare.torque.total[0] == pytest.approx(expected, rel=5e-3)
-
-
 @pytest.mark.parametrize(
     "name", ["628/8", "618/5", "6202/15.875", "W 628/8-2Z", "NSK/6399", "6399/C3", "6205/ETN9", "HC628/8", "60/99"]
 )
@@ -232,9 +219,132 @@ def test_a_slash_in_a_designation_makes_no_path(name: str) -> None:
         refused(lambda: read(name), f"bearing {name!r}" if name != "618/5" else "bearing 618/5")  # noqa: B023
 
 
-def test_a_file_with_a_name_like_a_designation_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "628").mkdir()
-    (tmp_path / "628" / "8").write_text(scene_text("6205"), "utf-8")
-    assert load_scene("628/8").bearing.name == "6205"
-    refused(lambda: load_scene("628/9"), "628/9: No such file")
+FINISH, CLEARANCE = 'finish = "ground and honed"', 'clearance = "CN"'
+ANGLE = 'contact_angle = { nominal = "40 deg" }'
+
+
+@pytest.mark.parametrize(
+    ("name", "settings", "assumed", "instead"),
+    [
+        ("6206", {"surface.Ra": "0.05 um"}, FINISH, 'Ra = "0.05 um"'),
+        (
+            "6206",
+            {
+                "surface.rms_roughness": 7e-8,
+                "surface.autocorrelation.kind": "gaussian",
+                "surface.autocorrelation.length": 3e-5,
+                "surface.autocorrelation.spacing": 1e-6,
+            },
+            FINISH,
+            'rms_roughness = "7e-8 m"\nautocorrelation = { kind = "gaussian", length = "3e-5 m", spacing = "1e-6 m" }',
+        ),
+        ("6206", {"bearing.contact_angle.nominal": "15 deg"}, CLEARANCE, 'contact_angle = { nominal = "15 deg" }'),
+        ("6206", {"bearing.contact_angle.free": "15 deg"}, CLEARANCE, 'contact_angle = { free = "15 deg" }'),
+        ("7206BEP", {"bearing.clearance": "15 um"}, ANGLE, 'clearance = "15 um"'),
+        ("6206", {"friction.coefficient": 0.1}, f"[surface]\n{FINISH}", "[friction]\ncoefficient = 0.1"),
+    ],
+)
+def test_a_setting_replaces_an_assumption(name: str, settings: dict[str, Any], assumed: str, instead: str) -> None:
+    found = load_scene(name, axial_load=300.0, settings=settings)
+    text = "\n".join(line.partition(" #")[0].rstrip() for line in scene_text(name).splitlines())
+    text = text.replace("\n[friction]\n", "\n") if "[friction]" in instead else text
+    same = parse_scene(text.replace(assumed, instead), origin="same")
+    assert (found.bearing, found.surface, found.contact_angle) == (same.bearing, same.surface, same.contact_angle)
+    assert found.friction_coefficient == same.friction_coefficient
+    replaced = "surface.finish" if "finish" in assumed else "bearing.c"
+    assert not any(each.startswith(replaced) for each in found.usual)
+
+
+@pytest.mark.parametrize(
+    ("name", "settings", "words"),
+    [
+        ("6206/C3", {"bearing.contact_angle.nominal": "15 deg"}, "bearing.clearance = 'C3' and contact_angle.nominal"),
+        ("6206", {"surface.Ra": "0.05 um", "surface.finish": "ground"}, "it has Ra and finish"),
+        (
+            "7206BEP",
+            {"bearing.clearance": "15 um", "bearing.contact_angle.nominal": "15 deg"},
+            "bearing.clearance = '15 um' and contact_angle.nominal both determine the clearance",
+        ),
+        ("6206", {"bearing.inner.bottom_radius": "18 mm"}, "bearing.outer.bottom_radius is missing"),
+    ],
+)
+def test_what_someone_gives_stays(name: str, settings: dict[str, Any], words: str) -> None:
+    refused(lambda: load_scene(name, settings=settings), words)
+
+
+def test_a_coefficient_beside_a_given_surface_is_refused() -> None:
+    scene = load_scene("6206", settings={"friction.coefficient": 0.1, "surface.boundary_friction": 0.13})
+    refused(lambda: friction_torque(scene), "friction.coefficient = 0.1 and [surface] both determine the friction")
+
+
+PAIR = {"arrangement.kind": "O", "arrangement.preload": "300 N"}
+
+
+@pytest.mark.parametrize(
+    ("settings", "options", "loads"),
+    [
+        (PAIR, {}, (0.0, 0.0)),
+        (PAIR, {"axial_load": "200 N"}, (200.0, 0.0)),
+        (PAIR, {"radial_load": "150 N"}, (0.0, 150.0)),
+        ({"arrangement.kind": "X", "arrangement.offset": "9 um"}, {}, (0.0, 0.0)),
+        ({"operation.axial_load": "300 N"}, {}, (300.0, 0.0)),
+        ({"operation.radial_load": "70 N", "operation.axial_load": "310 N"}, {}, (310.0, 70.0)),
+    ],
+)
+def test_no_usual_load_stands_beside_a_given_one(
+    settings: dict[str, Any], options: dict[str, Any], loads: tuple[float, float]
+) -> None:
+    operation = load_scene("7014C", settings=settings, **options).operation.as_series()
+    assert (float(operation.axial_load[0]), float(np.asarray(operation.radial_load)[0])) == loads
+
+
+PAIR_OF_VISCOSITIES = ["120 cSt at 40 degC", "12 cSt at 100 degC"]
+
+
+@pytest.mark.parametrize(
+    ("settings", "table"),
+    [
+        (
+            {"lubricant.viscosity": PAIR_OF_VISCOSITIES, "lubricant.base_oil": "PAO"},
+            'viscosity = ["120 cSt at 40 degC", "12 cSt at 100 degC"]\nbase_oil = "PAO"',
+        ),
+        (
+            {"lubricant.viscosity": '["120 cSt at 40 degC", "12 cSt at 100 degC"]'},
+            'viscosity = ["120 cSt at 40 degC", "12 cSt at 100 degC"]\nbase_oil = "mineral"',
+        ),
+        (
+            {"lubricant.viscosity": 0.012},
+            'viscosity = "0.012 Pa s"\nreference_temperature = "80 degC"\nbase_oil = "mineral"',
+        ),
+        (
+            {"lubricant.viscosity": "33 cSt at 55 degC", "lubricant.base_oil": "PAO"},
+            'viscosity = "33 cSt at 55 degC"\nbase_oil = "PAO"',
+        ),
+        (
+            {"lubricant.viscosity": "0.03 Pa s", "lubricant.reference_temperature": "50 degC"},
+            'viscosity = "0.03 Pa s"\nreference_temperature = "50 degC"\nbase_oil = "mineral"',
+        ),
+    ],
+)
+def test_an_assumed_oil_makes_room_for_a_given_one(settings: dict[str, Any], table: str) -> None:
+    """The same as in a file that has these keys alone."""
+    text = scene_text("6309", radial_load="4 kN", temperature="80 degC", oil="FILE")
+    file = parse_scene(re.sub(r'(?m)^name = "FILE".*$', table, text), origin="file")
+    given = load_scene("6309", radial_load="4 kN", temperature="80C", settings=settings)
+    assert given.lubricant == file.lubricant
+    assert given.lubricant is not None
+    assert not given.lubricant.name  # so that no headline names an oil that is not computed
+
+
+def test_a_name_that_someone_gives_is_no_assumption() -> None:
+    settings = {"lubricant.base_oil": "PAO", "lubricant.viscosity": PAIR_OF_VISCOSITIES}
+    refused(lambda: load_scene("6309", radial_load="4 kN", oil="FVA 3", settings=settings), "base_oil goes with")
+
+
+def test_a_whole_number_of_radians_that_looks_like_rpm_is_told_once() -> None:
+    told = load_scene("6206", radial_load=700.0, speed=1500).warnings
+    assert [each for each in told if "rpm" in each] == [
+        'operation.inner_speed = 1500 is in rad/s, 14324 rpm; write "1500 rpm" if it is in rpm'
+    ]
+    for speed in (157.08, 62, "1500 rpm"):
+        assert not any("rad/s" in each for each in load_scene("6206", radial_load=700.0, speed=speed).warnings)

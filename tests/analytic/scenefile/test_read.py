@@ -1,15 +1,18 @@
-"""Reading of scene files: units, defaults, the catalog and optional tables."""
+"""Reading of scene files: units, defaults, the catalog, tables, materials, and other temperatures of the oil."""
 
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import analytic
 from analytic import catalog
-from analytic.scene import Land
-from analytic.scenefile.read import load_scene
-from tests.analytic.scenefile.scene_texts import OIL, PLAIN, ROUGH, changed, refusal, scene
+from analytic.errors import InputError
+from analytic.scene import Land, Material
+from analytic.scenefile.read import load_scene, parse_by_temperature, parse_scene
+from tests.analytic.scenefile.scene_texts import OIL, PLAIN, ROUGH, SURFACE, changed, refusal, scene
 from tests.analytic.specimens import present
+from tests.refusals import refused
 
 
 @pytest.mark.parametrize("scene_name", catalog.names("scenes"))
@@ -128,3 +131,85 @@ def test_a_surface_is_read(tmp_path: Path) -> None:
     assert measured.height_map is not None
     assert (measured.height_map.path, measured.height_map.spacing) == (str(tmp_path / "race.CSV"), 7e-7)
     assert measured.rms_roughness is None
+
+
+OILED = f'{PLAIN}[lubricant]\nname = "ISO VG 46"\ntemperature = "55 degC"\n{SURFACE}'
+THERMAL = '[thermal]\nresistance = "0.5 K/W"\nambient = "20 degC"\n'
+PAIR = 'viscosity = ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]\nbase_oil = "mineral"'
+
+
+def test_the_oil_is_read_again_at_another_temperature() -> None:
+    read = parse_by_temperature(OILED, origin="here")
+    warm = parse_scene(OILED.replace("55 degC", "70 degC"), origin="here")
+    assert read.at(343.15).lubricant == warm.lubricant
+    assert read.fixed.lubricant == parse_scene(OILED, origin="here").lubricant != warm.lubricant
+    refused(lambda: read.at(463.15), "here: oil at 190 degC: lubricant.temperature must be -40 to 140 degC")
+
+
+def test_without_an_oil_there_is_no_other_temperature() -> None:
+    refused(lambda: parse_by_temperature(PLAIN, origin="here").at(320.0), "here: the scene has no [lubricant]; give")
+
+
+def test_friction_warms_an_oil_that_is_known_at_every_temperature() -> None:
+    for lines in ('name = "ISO VG 46"', PAIR):
+        read = parse_by_temperature(f"{PLAIN}[lubricant]\n{lines}\n{SURFACE}{THERMAL}", origin="here")
+        assert read.thermal is not None
+        refused(lambda: read.fixed, "here: the scene has [thermal]", "or run fembearing torque")  # noqa: B023
+
+
+@pytest.mark.parametrize(
+    ("lines", "words"),
+    [
+        (
+            "",
+            "thermal = {'ambient': '20 degC', 'resistance': '0.5 K/W'} warms the oil, and the scene has no [lubricant]",
+        ),
+        (
+            '[lubricant]\nviscosity = "60 mPa s"\nbase_oil = "mineral"\n',
+            "lubricant.viscosity = '60 mPa s' is known at one",
+        ),
+    ],
+)
+def test_friction_warms_no_other_oil(lines: str, words: str) -> None:
+    assert words in refusal(PLAIN + lines + THERMAL)
+
+
+BEARING = 'catalog = "paper_6205"'
+
+
+def ball(material: str) -> Material:
+    return scene(changed(BEARING, f"{BEARING}\nball_material = {material}")).bearing.ball_material
+
+
+def test_a_named_material_is_that_of_the_prints() -> None:
+    steel = ball('"100Cr6"')
+    assert (steel.youngs_modulus, steel.poisson_ratio, steel.density) == (208e9, 0.3, 7830.0)
+    assert steel.thermal_expansion == pytest.approx(12.5e-6, rel=1e-12)  # round-off
+    assert steel == ball('"52100"') == ball('"aisi 52100"') == analytic.material("100cr6")
+    assert analytic.material("Si3N4") != analytic.material("silicon_nitride")
+
+
+def test_a_table_completes_a_material_of_the_catalog() -> None:
+    completed = ball('{ name = "440C", poisson_ratio = 0.284, thermal_expansion = "9.9e-6 1/K" }')
+    assert (completed.youngs_modulus, completed.poisson_ratio, completed.density) == (200e9, 0.284, 7680.0)
+    assert completed.thermal_expansion == pytest.approx(9.9e-6, rel=1e-12)
+    assert "given: poisson_ratio, thermal_expansion" in completed.source
+    assert analytic.material("440C", poisson_ratio=0.284, thermal_expansion=9.9e-6) == completed
+
+
+def test_a_material_that_lacks_a_constant_names_it() -> None:
+    message = refusal(changed(BEARING, f'{BEARING}\nball_material = "440C"'))
+    assert "bearing.ball_material = '440C' has no sourced poisson_ratio" in message
+    assert "{ name = '440C', poisson_ratio = 0.29 }" in message
+    assert "poisson_ratio is missing" in refusal(changed(BEARING, f'{BEARING}\nball_material = {{ name = "M50" }}'))
+    with pytest.raises(InputError, match="material 'brass' has no sourced poisson_ratio"):
+        analytic.material("brass")
+
+
+@pytest.mark.parametrize("name", catalog.names("materials"))
+def test_every_material_of_the_catalog_is_read(name: str) -> None:
+    read = analytic.material(name, poisson_ratio=0.31)
+    assert read.poisson_ratio == 0.31
+    assert 1e9 < read.youngs_modulus < 400e9
+    assert 1000 < read.density < 9000
+    assert read.thermal_expansion is None or 2e-6 < read.thermal_expansion < 20e-6

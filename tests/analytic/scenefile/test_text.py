@@ -3,7 +3,7 @@
 import pytest
 
 from analytic.errors import InputError
-from analytic.scenefile.text import parse_text
+from analytic.scenefile.find import parse_text
 from tests.refusals import refused
 
 SLIPS = {  # a line with a slip: what the message says, and the line as the remedy has it; "": no remedy is sure

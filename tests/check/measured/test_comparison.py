@@ -15,7 +15,7 @@ from analytic.torque import friction_torque
 from fembearing import MeasuredComparison, compare_measured
 from fembearing.check.measured.comparison import leading
 from tests.analytic.scenefile.scene_texts import MINE
-from tests.analytic.scenefile.test_measured import OILED
+from tests.analytic.scenefile.test_columns import OILED
 from tests.refusals import refused
 
 DRY = MINE.replace("0.2 rad", "0.21 rad") + 'spin_rule = "balanced"\n'  # closed kinematics, which are quick
