@@ -13,8 +13,7 @@ from rich.progress import track
 from analytic.torque import MODEL_VERSION
 from fembearing.check.hard_record import RECORD
 from fembearing.plain_types import plain
-from validation.hard.case import outcome_of
-from validation.hard.table import HARD_CASES
+from validation.hard.table import HARD_CASES, outcome_of
 from validation.study import out, progress, run
 
 
