@@ -195,16 +195,13 @@ def _series(document: dict[str, Any], draw: Draw, *, only_thrust: bool) -> None:
         if only_thrust:
             operation.pop("radial_load", None)
             operation.pop("moment", None)
+    further = LONG_SERIES - 1 if points == "long" else int(points) - 1
     most = {"axial_load": heaviest, "inner_speed": 3e3, "radial_load": heaviest, "moment": np.inf}
     for column, (key, limit) in enumerate(most.items()):
         if key in operation:
             first, unit = operation[key].split(maxsplit=1)
-            values = [float(first), *(min(float(first) * f[column], limit) for f in factors[: _further(points)])]
+            values = [float(first), *(min(float(first) * f[column], limit) for f in factors[:further])]
             operation[key] = [f"{value:.9g} {unit}" for value in values]
-
-
-def _further(points: str) -> int:
-    return LONG_SERIES - 1 if points == "long" else int(points) - 1
 
 
 def _oil(document: dict[str, Any], draw: Draw) -> None:
