@@ -14,7 +14,7 @@ from tests.validation.hard.cage_exact import CAGE
 from tests.validation.hard.contact_exact import CONTACT
 from tests.validation.hard.lubrication_exact import LUBRICATION
 from tests.validation.hard.torque_exact import TORQUE
-from validation.hard.table import EVALUATIONS, HARD_CASES, HardCase, outcome_of
+from validation.hard.run import EVALUATIONS, HARD_CASES, HardCase, outcome_of
 
 TABLE = {case.name: case for case in HARD_CASES}
 EXACT = CONTACT | LUBRICATION | CAGE | TORQUE
