@@ -15,6 +15,7 @@ checks pass, 1 a check fails, 2 no browser or no script.
 """
 
 import argparse
+import re
 import socket
 import statistics
 import subprocess
@@ -22,7 +23,7 @@ import sys
 import time
 import urllib.request
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -40,6 +41,8 @@ STATUS = "document.querySelector('.check [role=status]')?.textContent ?? ''"
 REPORT = "[...document.querySelectorAll('a')].find((each) => each.textContent === 'The whole report')?.href ?? ''"
 SCENE = "document.querySelector('textarea')?.value ?? ''"
 UNFOLD = "document.querySelectorAll('details').forEach((each) => { each.open = true; })"
+CHECK = """[...document.querySelectorAll("button")].find((each) => each.textContent.includes("Check this scene"))
+  .click()"""
 SHOWN = """[...document.querySelectorAll('.pictures img')].every((each) => each.complete && each.naturalWidth)
   && document.querySelector('.pictures iframe') && document.querySelectorAll('.check tbody tr').length > 3"""
 NAMELESS = """[...document.querySelectorAll("input, textarea, [role=slider], button, [role=img], iframe")]
@@ -59,6 +62,7 @@ inner_speed = "900 rpm"
 [friction]
 coefficient = 0.1
 """
+IS_NUMBER = re.compile(r"\d").match  # of a torque that is shown
 MOST_START, MOST_CHANGE, MOST_MEMORY = 2.0, 0.3, 300.0  # s, s and MB; 110 MB are files of compiled libraries
 WARM, CHANGES, MOST_GROWTH = 40, 200, 8.0  # changes before and between two measurements, and MB of growth
 TIMED = 21  # changes of the slider, whose median counts
@@ -157,15 +161,10 @@ def served() -> Iterator[Server]:
         server.wait(PATIENCE)
 
 
-def is_number(text: str) -> bool:
-    """Whether a torque is shown."""
-    return text[:1].isdigit()
-
-
 def look(check: Check, width: int, mode: str) -> Iterator[str]:
     """What is wrong with the page at one width and in one mode, in words."""
     with check.browser.tab(check.server.address, width=width, mode=mode) as tab:
-        if not tab.wait(is_number, TORQUE):
+        if not tab.wait(IS_NUMBER, TORQUE):
             yield "no torque comes"
             return
         first = tab.value(TORQUE)
@@ -194,7 +193,7 @@ def look(check: Check, width: int, mode: str) -> Iterator[str]:
 def keys_alone(check: Check) -> Iterator[tuple[bool, str]]:
     """Choose a bearing, move a slider, check and save with the keyboard alone; whether each works, in words."""
     with check.browser.tab(check.server.address, width=WIDTHS[0], mode="light") as tab:
-        tab.wait(is_number, TORQUE)
+        tab.wait(IS_NUMBER, TORQUE)
         yield tab.tab_to("input: Bearing")[-1] == "input: Bearing", "the keyboard reaches the bearing"
         tab.press("Tab")  # and back, so that the field is selected as a user finds it
         tab.press("Tab", modifiers=8)
@@ -204,7 +203,10 @@ def keys_alone(check: Check) -> Iterator[tuple[bool, str]]:
         yield tab.tab_to(SLIDER)[-1] == SLIDER, "the keyboard reaches a slider"
         for _ in range(20):
             tab.press("ArrowRight")
-        yield tab.wait(lambda text: is_number(text) and text != first, TORQUE, most=30), "a slider changes the torque"
+        yield (
+            tab.wait(lambda text: bool(IS_NUMBER(text)) and text != first, TORQUE, most=30),
+            "a slider changes the torque",
+        )
         if check.short:
             tab.tab_to("summary: Scene (TOML), to copy, paste and edit")
             tab.press("Enter")
@@ -235,31 +237,29 @@ def keys_alone(check: Check) -> Iterator[tuple[bool, str]]:
 def two_tabs(check: Check) -> Iterator[tuple[bool, str]]:
     """Two tabs with scenes of their own, one of which is closed during its check."""
     address, here = check.server.address, {"width": WIDTHS[0], "mode": "light"}
+
+    def waited(is_over: Callable[[], object]) -> float:
+        """Seconds until it is, or that it may take."""
+        begin = time.monotonic()
+        while not is_over() and time.monotonic() - begin < ENDS:
+            time.sleep(LOOK)
+        return time.monotonic() - begin
+
     with check.browser.tab(address, **here) as first:
         with check.browser.tab(address, **here) as second:
             for tab in (first, second):
-                tab.wait(is_number, TORQUE)
+                tab.wait(IS_NUMBER, TORQUE)
             first.type("Bearing", "6010")
             second.type("Speed of the inner ring", "1730 rpm")
-            titles = [
-                tab.wait(lambda text, part=part: part in text, TITLE)
-                for tab, part in ((first, "6010"), (second, "1730 rpm"))
-            ]
+            named = first.wait(lambda text: "6010" in text, TITLE), second.wait(lambda text: "1730 rpm" in text, TITLE)
             mixed = "1730" in first.value(TITLE) or "6010" in second.value(TITLE)
-            yield all(titles) and not mixed, "two tabs do not mix"
-            second.value(
-                "[...document.querySelectorAll('button')].find((each) => "
-                "each.textContent.includes('Check this scene')).click()"
-            )
-            begin = time.monotonic()
-            while not (running := check.server.checks) and time.monotonic() - begin < ENDS:
-                time.sleep(LOOK)
+            yield all(named) and not mixed, "two tabs do not mix"
+            second.value(CHECK)
+            waited(lambda: check.server.checks)
+            running = bool(check.server.checks)
             second.wait(lambda text: bool(text) and "waits" not in text, STATUS, most=ENDS)
-        begin = time.monotonic()
-        while check.server.checks and time.monotonic() - begin < ENDS:
-            time.sleep(LOOK)
-        seconds, left = time.monotonic() - begin, check.server.checks
-        yield bool(running) and not left, f"a closed tab ends its check after {seconds:.1f} s"
+        seconds = waited(lambda: not check.server.checks)
+        yield running and not check.server.checks, f"a closed tab ends its check after {seconds:.1f} s"
         first.type("Bearing", "6011")
         yield first.wait(lambda text: "6011" in text, TITLE, most=30), "the other tab continues"
 
@@ -269,24 +269,20 @@ def measured(check: Check) -> Iterator[tuple[bool, str]]:
     server = check.server
     yield server.start <= MOST_START, f"first page {server.start:.1f} s after the start, at most {MOST_START:g} s"
     with check.browser.tab(server.address, width=WIDTHS[0], mode="light") as tab:
-        tab.wait(is_number, TORQUE)
+        tab.wait(IS_NUMBER, TORQUE)
         tab.tab_to(SLIDER)
         times = [changed(tab, number) for number in range(TIMED)]
         median = statistics.median(times)
-        words = (
-            f"a change takes {median:.2f} s (median of {TIMED}, longest {max(times):.2f} s), at most {MOST_CHANGE:g} s"
-        )
-        yield median <= MOST_CHANGE, words
+        of_times = f"(median of {TIMED}, longest {max(times):.2f} s), at most {MOST_CHANGE:g} s"
+        yield median <= MOST_CHANGE, f"a change takes {median:.2f} s {of_times}"
         for number in range(WARM):
             changed(tab, number)
         before = server.memory
         for number in range(CHANGES):
             changed(tab, number)
         after = server.memory
-        yield (
-            after - before <= MOST_GROWTH,
-            (f"{CHANGES} changes: {before:.0f} MB before, {after:.0f} MB after, at most {MOST_GROWTH:g} MB more"),
-        )
+        words = f"{CHANGES} changes: {before:.0f} MB before, {after:.0f} MB after, at most {MOST_GROWTH:g} MB more"
+        yield after - before <= MOST_GROWTH, words
         yield after <= MOST_MEMORY, f"the server has {after:.0f} MB, at most {MOST_MEMORY:g} MB"
 
 

@@ -26,7 +26,7 @@ ROWS = ROOT / "analytic" / "catalog" / "bearings"
 
 STATIC_PRESSURE = 4200e6  # Pa, [ISO76]
 MODULUS = 207e9 / (2 * (1 - 0.3**2))  # E* of the steel of [ISO76], Pa
-INNER_CONFORMITY, OUTER_CONFORMITY = 0.52, 0.53
+RACES = {"inner": (1, 0.52), "outer": (-1, 0.53)}  # sign of the curvature along rolling, conformity
 LOAD_SHARE = 5.0  # the heaviest ball carries 5/Z of a radial load [Stribeck1907]
 DYNAMIC_FACTOR = 0.41 * 98.0665  # N and mm
 REDUCTION = 0.95  # lambda of single-row bearings
@@ -85,24 +85,21 @@ class Candidate:
 @cache
 def _static_table(race: str) -> tuple[np.ndarray, np.ndarray]:
     """f0 of one race over gamma: a ball of 1 mm under the load that presses it with STATIC_PRESSURE, N/mm^2."""
-    gamma = np.linspace(0.0, 0.45, 901)
-    conformity = INNER_CONFORMITY if race == "inner" else OUTER_CONFORMITY
-    ring = gamma / (1 - gamma) if race == "inner" else -gamma / (1 + gamma)
-    contact = hertz_contact(
-        curvature_x=2e3 * (1 + ring), curvature_y=1e3 * (2 - 1 / conformity), load=1.0, modulus=MODULUS
-    )
+    gamma, (sign, conformity) = np.linspace(0.0, 0.45, 901), RACES[race]
+    along, across = 2e3 * (1 + sign * gamma / (1 - sign * gamma)), 1e3 * (2 - 1 / conformity)
+    contact = hertz_contact(curvature_x=along, curvature_y=across, load=1.0, modulus=MODULUS)
     return gamma, (STATIC_PRESSURE / contact.peak_pressure) ** 3 / LOAD_SHARE
 
 
 def static_factor(gamma: np.ndarray, *, smaller: bool = True) -> np.ndarray:
     """f0 of [ISO76], N/mm^2: of the race that reaches STATIC_PRESSURE first; smaller = False: of the inner race."""
-    inner = np.interp(gamma, *_static_table("inner"))
-    return np.minimum(inner, np.interp(gamma, *_static_table("outer"))) if smaller else inner
+    inner, outer = (np.interp(gamma, *_static_table(race)) for race in RACES)
+    return np.minimum(inner, outer) if smaller else inner
 
 
 def dynamic_factor(gamma: np.ndarray) -> np.ndarray:
     """f_c of [ISO281] for grooves of 0.52 ball diameters, N and mm."""
-    conformity = INNER_CONFORMITY
+    _, conformity = RACES["inner"]
     weaker = (1 + (1.04 * ((1 - gamma) / (1 + gamma)) ** 1.72) ** (10 / 3)) ** -0.3
     shape = gamma**0.3 * (1 - gamma) ** 1.39 / (1 + gamma) ** (1 / 3)
     return DYNAMIC_FACTOR * REDUCTION * weaker * shape * (2 * conformity / (2 * conformity - 1)) ** 0.41

@@ -21,10 +21,8 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
-from typing import Annotated
 
 import numpy as np
-import typer
 from scipy.stats import qmc
 
 from analytic.contact.finite_geometry_fit import OFF_SHOULDER
@@ -82,21 +80,14 @@ Drawn = tuple[str, int, str, dict[str, float]]  # set, number, name, shape
 RADIUS, MODULUS = 5e-3, 113e9  # r, m; E*, Pa; the ratios do not depend on them
 
 
-def main(
-    fit: Annotated[int, typer.Option(help="Contacts of the set `fit`.")] = 192,
-    held_out: Annotated[int, typer.Option(help="Contacts of the set `held out`.")] = 48,
-    bearings: Annotated[bool, typer.Option(help="Solve the set `bearing` as well.")] = True,
-    beyond: Annotated[int, typer.Option(help="Contacts of the set `beyond`.")] = 36,
-    shoulders: Annotated[int, typer.Option(help="Contacts of the set `shoulders`.")] = 88,
-    shoulders_held_out: Annotated[int, typer.Option(help="Contacts of the set `shoulders held out`.")] = 44,
-) -> None:
+def main() -> None:
     wanted = [
-        *drawn("fit", fit),
-        *drawn("held out", held_out),
-        *(of_bearings() if bearings else ()),
-        *with_near_shoulders(beyond),
-        *with_unequal_shoulders(shoulders),
-        *under_catalogue_loads(shoulders_held_out),
+        *drawn("fit", 192),
+        *drawn("held out", 48),
+        *of_bearings(),
+        *with_near_shoulders(36),
+        *with_unequal_shoulders(88),
+        *under_catalogue_loads(44),
     ]
     origin = {"solver": solver_commit(), "date": datetime.now(UTC).date().isoformat()}
 

@@ -96,12 +96,6 @@ def log_ratio(race: float, groove: float, width: float, reach: float) -> float:
     return (2 * change(1.0) - change(2.0)) / slope  # the error falls with the size of cells: see the test of its order
 
 
-def powers(degree: int = DEGREE) -> Array:
-    """(terms, 4) of the polynomial."""
-    each = np.array(list(np.ndindex(*4 * (degree + 1,))))
-    return each[each.sum(axis=1) <= degree]
-
-
 def scaled(points: Array) -> Array:
     """(n, 4) -1 to 1: the groove and the width by their logarithms."""
     lower, upper, points = LOWER.copy(), UPPER.copy(), points.copy()
@@ -122,7 +116,8 @@ def main() -> None:
     """Solve, fit, and print the error at fresh grooves."""
     points, fresh = drawn(COUNT, SEED), drawn(FRESH, SEED + 1)
     values = np.array([log_ratio(*each) for each in points])
-    terms = powers()
+    each = np.array(list(np.ndindex(*4 * (DEGREE + 1,))))
+    terms = each[each.sum(axis=1) <= DEGREE]  # (terms, 4) of the polynomial
 
     def design(at: Array) -> Array:
         return np.prod(scaled(at)[:, None, :] ** terms[None, :, :], axis=2)

@@ -1,9 +1,11 @@
-"""Hard cases of lubrication: film, load share of asperities, sliding oil, and the torque in oil."""
+"""Hard cases of lubrication: film, load share of asperities, sliding oil, the torque in oil, and rough surfaces."""
 
 import math
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
+
+import numpy as np
 
 from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
 from analytic.oil.film import Inflow, asymptotes_of, central_film
@@ -11,10 +13,13 @@ from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.oil.traction import mean_force, mixed_traction, oil_shear_stress
 from analytic.oil.viscosity import oil_numbers, roelands_viscosity
 from analytic.result import FrictionTorque
-from analytic.scene import Lubricant, Reach, Surface
+from analytic.scene import Array, Autocorrelation, Lubricant, Reach, Surface
+from analytic.surface.asperity import REGIMES, SummitNumbers, log_pressure_at, separation_of, tabulated_asperities
 from analytic.surface.gap import NOT_ELASTIC, SMOOTH_GAP, TRUNCATED, GapNumbers
+from analytic.surface.heightmap import read_height_map
+from analytic.surface.moments import Summits, mccool_summits
+from analytic.surface.roughness import spectral_moments
 from analytic.surface.truncated_gap import truncated_law
-from validation.hard.roughness import CORRELATION, HARDNESS, summits
 from validation.hard.specimens import (
     BEARING,
     LARGE,
@@ -22,6 +27,8 @@ from validation.hard.specimens import (
     MODULUS,
     SMALL,
     exponent,
+    parsed,
+    temporary_file,
     torque_6205,
     with_conformity,
 )
@@ -137,6 +144,53 @@ def coefficient(**changed: float) -> float:
     return float(coefficient[0])
 
 
+HARDNESS = 7.8e9  # Pa
+CORRELATION = Autocorrelation(kind="gaussian", length=60e-6, spacing=2e-6)
+TIP = 50e-6  # m, radius of one summit
+FIRST_YIELD = (3 * math.pi * 0.4 * HARDNESS / (4 * MODULUS)) ** 2 * TIP  # m
+WITHOUT_SPACING = """
+[lubricant]
+viscosity = "0.06 Pa s"
+pressure_viscosity = "2e-8 1/Pa"
+eyring_stress = "5 MPa"
+[surface]
+rms_roughness = "0.3 um"
+autocorrelation = { kind = "exponential", length = "60 um" }
+"""
+
+
+def summits(rms_roughness: float) -> Summits:
+    """Summits of two surfaces, each of this roughness, m."""
+    one = spectral_moments(rms_roughness=rms_roughness, autocorrelation=CORRELATION)
+    return mccool_summits(one + one)
+
+
+def rough(rms_roughness: float) -> tuple[Array, SummitNumbers]:
+    """Asperities of two surfaces, each of this roughness, m."""
+    return tabulated_asperities(summits=summits(rms_roughness), modulus=MODULUS, hardness=HARDNESS)
+
+
+def summit(interference: float) -> float:
+    """Load on one summit, N."""
+    ratio = np.array([interference / FIRST_YIELD])
+    pressure, growth = next(law(ratio) for low, high, law in REGIMES if low <= ratio < high)
+    return float(np.squeeze(math.pi * TIP * interference * growth * HARDNESS * pressure))
+
+
+def apart(deviations: float) -> float:
+    """ln of the pressure in Pa on asperities at a separation of so many deviations above their mean height."""
+    cubics, table = rough(0.3e-6)
+    return float(log_pressure_at(cubics, table, table.mean_height + deviations * table.height_deviation))
+
+
+def mapped(height: float) -> float:
+    """Sq, m, of a height map with alternating peaks and pits of this height, m."""
+    heights = np.where(np.indices((32, 32)).sum(axis=0) % 2, height, -height)
+    with temporary_file("heights.npy") as path:
+        np.save(path, heights)
+        return float(np.std(read_height_map(path, spacing=2e-6).heights))
+
+
 LUBRICATION_CASES: dict[str, Callable[[], float]] = {
     "film: standstill": lambda: film(entrainment_speed=0.0) / film(),
     "film: reversed": lambda: film(entrainment_speed=-SPEED) / film(),
@@ -179,4 +233,18 @@ LUBRICATION_CASES: dict[str, Callable[[], float]] = {
     "oiled torque: ellipse outside the film's fit": lambda: float(
         sum("contact ellipse outside the fitted shapes" in words for words in oiled(conformity=0.505).warnings)
     ),
+    "asperity: not touching": lambda: summit(0.0) / summit(FIRST_YIELD),
+    "asperity: vanishing interference": lambda: summit(1e-150),
+    "asperity: first yield": lambda: summit(FIRST_YIELD * (1 + 1e-12)),
+    "asperity: full flow": lambda: summit(54 * FIRST_YIELD * (1 - 1e-12)),
+    "asperities: 60 deviations apart": lambda: apart(60.0),
+    "asperities: pressed flat": lambda: float(separation_of(*rough(0.3e-6), math.log(1e15))[0]),
+    "surface: exponential, tiny spacing": lambda: (
+        spectral_moments(
+            rms_roughness=0.3e-6, autocorrelation=Autocorrelation(kind="exponential", length=60e-6, spacing=60e-15)
+        ).curvature
+    ),
+    "surface: exponential without a spacing": lambda: parsed(WITHOUT_SPACING),
+    "surface: nearly flat": lambda: rough(1e-18)[1].log_scale,
+    "surface: heights near the largest double": lambda: mapped(1.7e308),
 }

@@ -1,13 +1,18 @@
 """What several hard cases share: the 6205 with its contact, its torque and a scene text, and materials."""
 
 import math
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
 from analytic.contact.geometry import race_contact
+from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, Contact, Decision, Material, Operation
 from analytic.scenefile.read import load_scene, parse_scene
@@ -89,3 +94,13 @@ def parsed(tables: str = "", **entries: str) -> float:
 def exponent(quantity: Callable[[float], float], low: float, high: float) -> float:
     """Exponent of a quantity over the load, N, between two loads."""
     return math.log(quantity(high) / quantity(low)) / math.log(high / low)
+
+
+@contextmanager
+def temporary_file(name: str) -> Iterator[Path]:
+    """A path for one case's file. Error messages omit its folder, whose name differs every time."""
+    with TemporaryDirectory() as folder:
+        try:
+            yield Path(folder) / name
+        except InputError as refusal:
+            raise InputError(str(refusal).replace(f"{folder}{os.sep}", "")) from refusal

@@ -12,6 +12,7 @@ It writes makers.csv and makers.png into this folder, in two minutes.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 from typing import Annotated
 
@@ -25,6 +26,7 @@ from analytic.makers import case_of, scene_band
 from analytic.prediction.first_order import first_order_ends
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
+from validation.intervals.run import counts
 from validation.measured import run as measured
 from validation.measured.makers import GRADES, LOADS, fag_torque, scene_at
 from validation.study import Out, Row, figure, numbers, run, save, show, write
@@ -66,9 +68,8 @@ def compared(bearing: CatalogBearing, case: str) -> Row:
 
 def chosen(count: int) -> list[CatalogBearing]:
     """So many bearings, evenly from all that have constants, in the order of the catalogue."""
-    known = [
-        bearing for name in bearing_names() if (bearing := find_bearing(name)).grade in GRADES and has_band(bearing)
-    ]
+    graded = (bearing for bearing in map(find_bearing, bearing_names()) if bearing.grade in GRADES)
+    known = [bearing for bearing in graded if has_band(bearing)]
     return [known[int(place)] for place in np.linspace(0, len(known) - 1, min(count, len(known)))]
 
 
@@ -80,36 +81,22 @@ def has_band(bearing: CatalogBearing) -> bool:
     return True
 
 
-def rig_coverage() -> Iterator[tuple[str, Array, Array, Array, Array]]:
-    """Words; measured and computed torques of the rigs and both ends of the intervals, N m."""
+def coverage(rows: Sequence[Row]) -> Iterator[tuple[object, ...]]:
+    """Shares inside, and the width of the intervals, by load and source: of the rigs, and of the formulas."""
+
+    def line(load: str, words: str, torque: Array, ours: Array, low: Array, high: Array) -> tuple[object, ...]:
+        inside, below, above = counts(torque, low, high)
+        share = f"{inside} ({100 * (torque.size - below - above) / torque.size:.0f} %)"
+        return load, words, share, below, above, f"{np.median(torque / ours):.2f}", f"{np.median(high / low):.2f}"
+
     for diameter in measured.RIGS:
         rig = measured.compare(diameter)
         ends = first_order_ends(rig.scene, friction_torque(rig.scene))
         assert ends is not None
-        yield f"measured, balls of {diameter:g} mm [Balan2015]", rig.measured, rig.computed, ends[0], ends[1]
-
-
-def coverage(rows: Sequence[Row]) -> Iterator[tuple[str, ...]]:
-    """Shares inside, and the width of the intervals, by load and source."""
-    for words, torque, ours, low, high in rig_coverage():
-        yield "thrust rig", words, *_counts(torque, low, high), _median(torque / ours), _median(high / low)
-    for case in LOADS:
-        for key, name in MAKERS.items():
-            own = [row for row in rows if row["case"] == case and row.get(key) and row.get("low")]
-            if own:
-                torque, low, high, ours = (numbers(own, column) for column in (key, "low", "high", "torque"))
-                counts = _counts(torque, low, high)
-                yield case, f"formula: {name}", *counts, _median(torque / ours), _median(high / low)
-
-
-def _counts(torque: Array, low: Array, high: Array) -> tuple[str, str, str]:
-    below, above = int(np.sum(torque < low)), int(np.sum(torque > high))
-    inside = torque.size - below - above
-    return f"{inside} of {torque.size} ({100 * inside / torque.size:.0f} %)", str(below), str(above)
-
-
-def _median(values: Array) -> str:
-    return f"{np.median(values):.2f}"
+        yield line("thrust rig", f"measured, balls of {diameter:g} mm [Balan2015]", rig.measured, rig.computed, *ends)
+    for case, (key, name) in product(LOADS, MAKERS.items()):
+        if own := [row for row in rows if row["case"] == case and row.get(key) and row.get("low")]:
+            yield line(case, f"formula: {name}", *(numbers(own, column) for column in (key, "torque", "low", "high")))
 
 
 def draw(rows: Sequence[Row]) -> Figure:

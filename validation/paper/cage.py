@@ -22,6 +22,8 @@ from analytic.scene import Array, Cage, CageStart, ContactAngle, Decision, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 
+DRY = load_scene("6205-dry")
+CATALOG_CAGE: Cage = DRY.cage  # pyright: ignore[reportAssignmentType]
 ROUGH, SMOOTH = 1e-6, 0.1e-6  # Sq, m
 RPM = np.pi / 30
 SLOWEST, FASTEST = 100 * RPM, 500 * RPM  # rad/s, where [Paper] prints numbers
@@ -42,22 +44,16 @@ def at_finish(scene: Scene, rms_roughness: float) -> Scene:
     return replace(scene, surface=replace(scene.surface, rms_roughness=rms_roughness))
 
 
-def catalog_cage() -> Cage:
-    cage = load_scene("6205-dry").cage
-    assert cage is not None
-    return cage
-
-
 def printed_pocket() -> Cage:
     """The catalog's cage with the pocket of table 1 of [Paper]."""
-    return replace(catalog_cage(), pocket_diameter=13.9e-3, pocket_depth=6.81e-3)
+    return replace(CATALOG_CAGE, pocket_diameter=13.9e-3, pocket_depth=6.81e-3)
 
 
 def loose_cage(*, clearance: float, start: CageStart, friction_coefficient: float | None) -> Cage:
     """The catalog's cage in pockets of one sphere; clearance : of the diameter, m; None: mixed lubrication."""
-    diameter = load_scene("6205-dry").bearing.ball_diameter + clearance
+    diameter = DRY.bearing.ball_diameter + clearance
     return replace(
-        catalog_cage(),
+        CATALOG_CAGE,
         pocket_diameter=diameter,
         pocket_depth=diameter / 2,
         start=start,
@@ -91,7 +87,7 @@ def cage_scene(reading: str, scene: Scene, *, inner_speed: float) -> Scene:
         cage = loose_cage(clearance=CLEARANCE, start="whirl", friction_coefficient=coefficient)
         scene = replace(scene, contact_angle=LOADED_ANGLE)
     else:
-        cage = replace(catalog_cage(), start="ramp")
+        cage = replace(CATALOG_CAGE, start="ramp")
     return with_moving_cage(scene, cage, inner_speed=inner_speed)
 
 

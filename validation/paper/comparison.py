@@ -5,7 +5,7 @@ the balls' centres, which are no loss, are compared with the paper's cage torque
 """
 
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -41,6 +41,7 @@ WORDS = {
     "cage_max_force": "largest cage force",
 }
 ASIDE = 1e-6  # relative distance of both sides from a jump, in load or ratio
+DIRECTIONS = {"rises": 1, "flat": 0, "falls": -1}
 FLAT = 0.1  # relative, lowest to highest value: "minimal impact" or "almost constant" in the paper
 
 Series = Mapping[str, Array]  # over speed, SI, each (n,)
@@ -75,7 +76,7 @@ def compare(name: str) -> Stored:
         "assumed": assumed_inputs(name, scene),
         "series": {f"{roughness:g}": values for roughness, values in found.items()},
         "beside": [row for point in published() for row in beside(point, found[point["rms_roughness"]])],
-        "trends": trends(found[ROUGH], found[SMOOTH]),
+        "trends": list(trends(found[ROUGH], found[SMOOTH])),
     }
 
 
@@ -106,55 +107,27 @@ def beside(point: Stored, values: Series) -> Iterator[Stored]:
         yield {"point": point, "ours": name, "computed": computed, "deviation": computed / point["value"] - 1}
 
 
-def trends(rough: Series, smooth: Series) -> list[Stored]:
+def trends(rough: Series, smooth: Series) -> Iterator[Stored]:
     """The conclusions of the paper, in its order."""
-    both = (rough, smooth)
-    races = ("inner_coefficient", "outer_coefficient")
-    return [
-        _trend("rougher raises the total torque at every speed", _rougher_is_more(rough, smooth, "total_torque")),
-        _trend("the total torque rises with speed", _together(_change(one["total_torque"], 1) for one in both)),
-        _trend("rougher raises the friction coefficients of both races at every speed",
-               _together(_rougher_is_more(rough, smooth, race) for race in races)),
-        _trend("the friction coefficients of both races are flat in speed",
-               _together(_change(one[race], 0) for one in both for race in races)),
-        _trend("the race torque is almost constant at Sq 1 um", _change(rough["race_torque"], 0)),
-        _trend("the race torque falls with speed at Sq 0.1 um", _change(smooth["race_torque"], -1)),
-        _trend("the cage torque rises with speed", _together(_change(one["cage_torque"], 1) for one in both)),
-        _trend("rougher raises the cage torque at every speed", _rougher_is_more(rough, smooth, "cage_torque")),
-        _trend("the largest cage force rises with speed", _together(_change(one["cage_max_force"], 1) for one in both)),
-        _trend("rougher raises the largest cage force at every speed",
-               _rougher_is_more(rough, smooth, "cage_max_force")),
-        _trend("rougher raises the pocket's friction coefficient at every speed",
-               _rougher_is_more(rough, smooth, "pocket_coefficient")),
-        _trend("the pocket's friction coefficient falls with speed at Sq 0.1 um",
-               _change(smooth["pocket_coefficient"], -1)),
-    ]  # fmt: skip
+    for claim, rule, names, finishes in WORDS_OF_PAGE["trends"]:
+        if rule == "rougher":
+            parts = [_rougher_is_more(rough, smooth, name) for name in names]
+        else:
+            some = {"both": (rough, smooth), "rough": (rough,), "smooth": (smooth,)}[finishes]
+            parts = [_change(one[name], DIRECTIONS[rule]) for one in some for name in names]
+        yield {"claim": claim, "held": all(held for held, _ in parts), "detail": "; ".join(words for _, words in parts)}
 
 
-Outcome = tuple[bool, list[str]]  # whether a conclusion holds, with its numbers
-
-
-def _trend(claim: str, outcome: Outcome) -> Stored:
-    held, numbers = outcome
-    return {"claim": claim, "held": held, "detail": "; ".join(numbers)}
-
-
-def _together(parts: Iterable[Outcome]) -> Outcome:
-    """Holds if all parts hold."""
-    outcomes = list(parts)
-    return all(held for held, _ in outcomes), [number for _, numbers in outcomes for number in numbers]
-
-
-def _change(values: Array, direction: int) -> Outcome:
-    """Whether the values rise (1) or fall (-1) from each speed to the next, or are flat (0)."""
+def _change(values: Array, direction: int) -> tuple[bool, str]:
+    """Whether the values rise (1) or fall (-1) from each speed to the next, or are flat (0), and by how much."""
     held = np.ptp(values) <= FLAT * values.min() if direction == 0 else np.all(direction * np.diff(values) > 0)
     ratio = values[-1] / values[0]
-    return bool(held), [f"{100 * (ratio - 1):+.1f} %" if ratio < 2 else f"{ratio:.3g} times"]
+    return bool(held), f"{100 * (ratio - 1):+.1f} %" if ratio < 2 else f"{ratio:.3g} times"
 
 
-def _rougher_is_more(rough: Series, smooth: Series, quantity: str) -> Outcome:
+def _rougher_is_more(rough: Series, smooth: Series, quantity: str) -> tuple[bool, str]:
     ratio = rough[quantity] / smooth[quantity]
-    return bool(np.all(ratio > 1)), [f"{ratio.min():.2f} to {ratio.max():.2f} times"]
+    return bool(np.all(ratio > 1)), f"{ratio.min():.2f} to {ratio.max():.2f} times"
 
 
 def assumed_inputs(reading: str, scene: Scene) -> dict[str, str]:

@@ -2,7 +2,7 @@
 
 Draws scenes over the valid range of scene files, usual and extreme ones, one seed each: bearings of several shapes,
 loads from 0.1 N up, creep to 20 000 rpm, oils up to 1 Pa s, smooth and rough surfaces, given coefficients, balls that
-turn freely or by a rule (radial.py); thrust bearings, pairs, seats, given contact angles, height maps, series of unlike
+turn freely or by a rule; thrust bearings, pairs, seats, given contact angles, height maps, series of unlike
 points, cages that rest on their balls, losses of the oil (drawn.py).
 Computes each at a tolerance of 1 % and of 0.01 %, and one point of a series alone. Counts scenes with a point whose two
 torques differ by more than both state together, and prints these with the ratio; scenes with a point whose torque alone

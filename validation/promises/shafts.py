@@ -7,7 +7,7 @@ shafts, at speeds around the one at which centrifugal force carries the weight o
 refused, and how many are.
 """
 
-from collections.abc import Iterator
+from itertools import product
 
 from analytic import friction_torque
 from analytic.errors import FembearingError
@@ -19,23 +19,17 @@ DOWN = ((1.0, 0.0, 0.0), (1.0, 0.0, 0.02), (1.0, 0.0, 0.1), (1.0, 0.0, 1.0), (0.
 RPM = (50, 450, 500, 550, 700, 1000, 3000)
 
 
-def refused(bearing: str) -> Iterator[str]:
-    """Each direction and speed of a bearing without a torque, with its reason."""
-    for down in DOWN:
-        for rpm in RPM:
-            try:
-                friction_torque(bearing, speed=f"{rpm} rpm", settings={"operation.down": list(down)})
-            except FembearingError as problem:
-                yield f"{bearing}, down {down}, {rpm} rpm: {problem}"
-
-
 def main() -> None:
     """Count the refused torques."""
-    bearings = [series + bore for series in SERIES for bore in BORES]
-    found = [line for bearing in bearings for line in refused(bearing)]
-    for line in found:
-        out.print(line, soft_wrap=True)
-    out.print(f"{len(found)} of {len(bearings) * len(DOWN) * len(RPM)} refused")
+    bearings = [series + bore for series, bore in product(SERIES, BORES)]
+    refused = 0
+    for bearing, down, rpm in product(bearings, DOWN, RPM):
+        try:
+            friction_torque(bearing, speed=f"{rpm} rpm", settings={"operation.down": list(down)})
+        except FembearingError as problem:
+            refused += 1
+            out.print(f"{bearing}, down {down}, {rpm} rpm: {problem}", soft_wrap=True)
+    out.print(f"{refused} of {len(bearings) * len(DOWN) * len(RPM)} refused")
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ import sys
 from pathlib import Path
 from fembearing.cli.boundary import guarded
 from fembearing.mesh.meshfile import read_body
-sys.exit(guarded(lambda: print(read_body(Path("body.vtu"), name="ball"))))
+sys.exit(guarded(lambda: print(read_body(Path("body.vtu"), name="ball")), examples={}))
 """
 COMMANDS = {  # of a damaged file
     "mesh": (),
@@ -142,31 +142,43 @@ def fault_of(done: Run, *, base: float = 0.0, allowed: Sequence[int] = DOCUMENTE
     return ""
 
 
+def _strange(text: str) -> str:
+    """The first number in JSON that is none."""
+    for place, number in numbers(json.loads(text)):
+        if not math.isfinite(number):
+            return f"{place} = {number}"
+    return ""
+
+
+def _cells(_: object, path: Path) -> str:
+    with path.open(newline="", encoding="utf-8") as file:
+        for cell in (cell for row in csv.reader(line for line in file if not line.startswith("#")) for cell in row):
+            if NOT_A_NUMBER.fullmatch(cell.strip()):
+                return f"a cell of {path.name} is {cell}"
+    return ""
+
+
 def _text(done: Run, _: Path) -> str:
     found = NOT_A_NUMBER.search(done.out)
     return f"the text shows {found.group()}" if found else ""
 
 
 def _json(done: Run, _: Path) -> str:
-    return _strange(json.loads(done.out, parse_constant=_refuse))
+    return _strange(done.out)
 
 
-def _csv(_: Run, target: Path) -> str:
-    return _strange_cell(target)
-
-
-def _folder(_: Run, target: Path) -> str:
+def _folder(done: Run, target: Path) -> str:
     lacking = FOLDER - {path.name for path in target.iterdir()}
     if lacking:
         return f"the folder lacks {', '.join(lacking)}"
     text = (target / "torque.json").read_text("utf-8")
-    return _strange(json.loads(text, parse_constant=_refuse)) or _strange_cell(target / "torque.csv")
+    return _strange(text) or _cells(done, target / "torque.csv")
 
 
-def _files(_: Run, target: Path) -> str:
+def _files(done: Run, target: Path) -> str:
     """Of numbers and tables in a folder."""
-    faults = [_strange(json.loads(path.read_text("utf-8"), parse_constant=_refuse)) for path in target.glob("*.json")]
-    return next(filter(None, [*faults, *map(_strange_cell, target.glob("*.csv"))]), "")
+    faults = [_strange(path.read_text("utf-8")) for path in target.glob("*.json")]
+    return next(filter(None, [*faults, *(_cells(done, path) for path in target.glob("*.csv"))]), "")
 
 
 def _page(_: Run, target: Path) -> str:
@@ -187,35 +199,16 @@ class Face:
 FACES = {
     "text": Face(("torque", "scene.toml"), _text),
     "json": Face(("torque", "scene.toml", "--json"), _json),
-    "csv": Face(("torque", "scene.toml", "--out", "torque.csv"), _csv, "torque.csv"),
+    "csv": Face(("torque", "scene.toml", "--out", "torque.csv"), _cells, "torque.csv"),
     "folder": Face(("torque", "scene.toml", "--out", "torque"), _folder, "torque"),
     "page": Face(("torque", "scene.toml", "--out", "torque.html"), _page, "torque.html"),
     "film": Face(("film", "scene.toml", "--tolerance", "0.9", "--json"), _json, slowest=SOLVED_WITHIN),
     "creep": Face(("creep", "scene.toml", "--tolerance", "0.9", "--json"), _json, slowest=SOLVED_WITHIN),
     "compare": Face(("compare", "measured.csv", "scene.toml", "--samples", "64", "--out", "out"), _files),
     "duty": Face(("duty", "scene.toml", "cycle.csv", "--out", "out"), _files),
-    "export": Face(("export", "scene.toml", "--to", "csv", *RANGE, "--out", "out.csv"), _csv, "out.csv"),
+    "export": Face(("export", "scene.toml", "--to", "csv", *RANGE, "--out", "out.csv"), _cells, "out.csv"),
     "draw": Face(("draw", "scene.toml", "--out", "out.svg"), _page, "out.svg"),
 }
-
-
-def _strange(document: object) -> str:
-    for place, number in numbers(document):
-        if not math.isfinite(number):
-            return f"{place} = {number}"
-    return ""
-
-
-def _strange_cell(path: Path) -> str:
-    with path.open(newline="", encoding="utf-8") as file:
-        for cell in (cell for row in csv.reader(line for line in file if not line.startswith("#")) for cell in row):
-            if NOT_A_NUMBER.fullmatch(cell.strip()):
-                return f"a cell of {path.name} is {cell}"
-    return ""
-
-
-def _refuse(name: str) -> float:
-    raise ValueError(f"{name} is no number of JSON")
 
 
 def scenes_through_faces(seeds: Iterable[int], folder: Path, base: float) -> Generator[Tried]:

@@ -21,8 +21,7 @@ from analytic.scenefile.keys import scene_key, scene_table, with_key
 from analytic.scenefile.read import parse_scene
 from analytic.scenefile.template import scene_text as template
 from fembearing.plain_types import plain
-from validation.promises.drawn import toml
-from validation.promises.radial import RADIAL_INPUTS, radial_scene
+from validation.promises.drawn import RADIAL_INPUTS, radial_scene, toml
 from validation.stress.watched import Input, SilentError
 from validation.study import SCENES
 

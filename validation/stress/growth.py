@@ -26,7 +26,7 @@ from analytic.scenefile.template import scene_text as template
 from analytic.standing import worst_standing
 from fembearing.check.creep.scene_creep import creep_of
 from fembearing.check.film.scene_film import film_of
-from fembearing.report.files import compared_files, duty_files, film_files, write_all, write_creep
+from fembearing.report.files import compared_files, duty_files, write_all, write_creep
 from validation.stress.damage import CYCLE, MEASURED
 from validation.stress.tab import tab
 
@@ -70,14 +70,6 @@ def _contact(scene: Scene, _: Path) -> None:
     fembearing.solve_contact(scene, pair="inner", load=load, tolerance=LOOSE)
 
 
-def _film(scene: Scene, folder: Path) -> None:
-    write_all(film_files(film_of(scene, pair="outer", tolerance=LOOSE)), folder)
-
-
-def _creep(scene: Scene, folder: Path) -> None:
-    write_creep(creep_of(scene, tolerance=LOOSE), folder)
-
-
 def _compare(scene: Scene, folder: Path) -> None:
     (folder / "measured.csv").write_text(MEASURED, "utf-8")
     write_all(compared_files(fembearing.compare_measured(scene, folder / "measured.csv", samples=64), scene), folder)
@@ -110,8 +102,10 @@ class Function(NamedTuple):
 FUNCTIONS = {
     "friction_torque": Function(lambda scene, _: friction_torque(scene), 5e6),
     "solve_contact": Function(_contact, 50e6),
-    "film": Function(_film, 50e6),
-    "creep": Function(_creep, 50e6),
+    "film": Function(
+        lambda scene, folder: write_all(film_files(film_of(scene, pair="outer", tolerance=LOOSE)), folder), 50e6
+    ),
+    "creep": Function(lambda scene, folder: write_creep(creep_of(scene, tolerance=LOOSE), folder), 50e6),
     "compare": Function(_compare, 20e6),
     "duty": Function(_duty, 20e6),
     "export": Function(_export, 20e6),

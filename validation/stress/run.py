@@ -46,20 +46,13 @@ MOST_REFUSED = 0.8  # share of the inputs; with more, the draw tests little but 
 ENOUGH = 40  # inputs for a share that means something
 
 
-@dataclass(frozen=True)
-class Budget:
-    """How much each part does."""
-
-    inputs: int  # in one process, of each of scenes and damaged
-    pages: int  # scenes pasted into the page
-    commands: int  # runs of a command, likewise
-    every: int  # of the combinations of situation and command, one of so many
-    calls: tuple[int, int, int]  # of friction_torque, solve_contact and each other function
-    mutants: int
-
-
-LONG = Budget(inputs=20_000, pages=20_000, commands=500, every=1, calls=(10_000, 300, 300), mutants=330)
-SHORT = Budget(inputs=20, pages=8, commands=2, every=60, calls=(100, 6, 0), mutants=0)
+# How much each part does: inputs in one process, of each of scenes and damaged; scenes pasted into the page; runs of a
+# command, likewise; mutants; one of so many combinations of situation and command; calls of friction_torque,
+# solve_contact and each other function
+LONG = {"inputs": 20_000, "pages": 20_000, "commands": 500, "mutants": 330, "every": 1, "calls": (10_000, 300, 300)}
+SHORT = {"inputs": 20, "pages": 8, "commands": 2, "mutants": 0, "every": 60, "calls": (100, 6, 0)}
+COUNTS = ("inputs", "pages", "commands", "mutants")  # that options change
+HEAD = ("part", "first seed", "tries", "outcomes", "slowest, s", "largest, MB", "faults")
 
 
 @dataclass
@@ -77,37 +70,30 @@ class Row:
     def cells(self) -> tuple[str, ...]:
         told = ", ".join(f"{count} {outcome}" for outcome, count in sorted(self.outcomes.items()))
         worst = (f"{self.slowest:.1f}" if self.slowest else "", f"{self.largest / 1e6:.0f}" if self.largest else "")
-        tries = (str(self.first_seed), str(self.outcomes.total()), told)
-        return self.part, *tries, *worst, str(len(self.faults))
+        return self.part, str(self.first_seed), str(self.outcomes.total()), told, *worst, str(len(self.faults))
 
 
-COUNTS = ("inputs", "pages", "commands", "mutants")  # of a budget, which options change
-HEAD = ("part", "first seed", "tries", "outcomes", "slowest, s", "largest, MB", "faults")
-
-
-def main(argv: list[str] | None = None) -> int:
+def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="*", choices=[*PARTS, []], metavar="PARTS", help=", ".join(PARTS))
     parser.add_argument("--short", action="store_true", help="a part of everything, in two minutes")
     parser.add_argument("--seed", type=int, default=0, help="of the first input; each has its own")
     parser.add_argument("--jobs", type=int, default=1, help="processes for inputs and mutants")
     for name in COUNTS:
-        parser.add_argument(
-            f"--{name}", type=int, help=f"in place of {getattr(LONG, name)}, {getattr(SHORT, name)} short"
-        )
+        parser.add_argument(f"--{name}", type=int, help=f"in place of {LONG[name]}, {SHORT[name]} short")
     parser.add_argument("--minutes", type=float, default=np.inf, help="a row ends then, with as many tries as it has")
     parser.add_argument("--out", type=Path, help="folder for stress.md and mutation.csv; nothing is written without it")
     parser.add_argument("--keep", type=Path, default=Path("stress-faults"), help="folder for inputs with a fault")
-    options = parser.parse_args(argv)
-    size = SHORT if options.short else LONG
-    given = {name: getattr(options, name) for name in COUNTS}
-    budget = Budget(**vars(size) | {name: value for name, value in given.items() if value is not None})
-    parts = options.parts or [part for part in PARTS if part != "mutation" or budget.mutants]
+    options = parser.parse_args()
+    for name, value in (SHORT if options.short else LONG).items():
+        if getattr(options, name, None) is None:
+            setattr(options, name, value)
+    parts = options.parts or [part for part in PARTS if part != "mutation" or options.mutants]
     for package in ("analytic", "fembearing"):  # the commands keep no byte code, and would make it at each start
         compileall.compile_dir(ROOT / package, quiet=1)
     begun, rows = time.perf_counter(), []
     with tempfile.TemporaryDirectory() as folder:
-        place = Place(Path(folder), options, budget)
+        place = Place(Path(folder), options)
         for part in parts:
             for row in PARTS[part](place):
                 row.first_seed = options.seed
@@ -126,7 +112,6 @@ class Place:
 
     folder: Path
     options: argparse.Namespace
-    budget: Budget
 
     def within_minutes(self, results: Generator[Each]) -> Iterator[Each]:
         """The results that come in time."""
@@ -161,18 +146,18 @@ class Place:
 
 
 def scenes(place: Place) -> Iterator[Row]:
-    yield from place.rows("scenes, one process", place.budget.inputs, place.tries(scene_input))
-    yield from place.rows("scenes, every face", place.budget.commands, place.through(scenes_through_faces))
+    yield from place.rows("scenes, one process", place.options.inputs, place.tries(scene_input))
+    yield from place.rows("scenes, every face", place.options.commands, place.through(scenes_through_faces))
 
 
 def damaged(place: Place) -> Iterator[Row]:
     make = partial(damaged_input, folder=place.folder)
-    yield from place.rows("damaged, one process", place.budget.inputs, place.tries(make))
-    yield from place.rows("damaged, commands", place.budget.commands, place.through(damaged_through_commands))
+    yield from place.rows("damaged, one process", place.options.inputs, place.tries(make))
+    yield from place.rows("damaged, commands", place.options.commands, place.through(damaged_through_commands))
 
 
 def paged(place: Place) -> Iterator[Row]:
-    yield from place.rows("page, one process", place.budget.pages, place.tries(page_input))
+    yield from place.rows("page, one process", place.options.pages, place.tries(page_input))
 
 
 def gathered(part: str, results: Generator[Tried], place: Place) -> Row:
@@ -191,7 +176,7 @@ def gathered(part: str, results: Generator[Tried], place: Place) -> Row:
 
 def limited(place: Place) -> Iterator[Row]:
     row = Row("limits")
-    for each in place.within_minutes(ended(every=place.budget.every)):
+    for each in place.within_minutes(ended(every=place.options.every)):
         row.outcomes[each.outcome] += 1
         row.faults += [f"{each.situation}, {each.command}: {each.fault}"] if each.fault else []
     yield row
@@ -199,7 +184,7 @@ def limited(place: Place) -> Iterator[Row]:
 
 def growing(place: Place) -> Iterator[Row]:
     for number, function in enumerate(FUNCTIONS):
-        if calls := place.budget.calls[min(number, 2)]:
+        if calls := place.options.calls[min(number, 2)]:
             done, gained = growth_of(function, calls, seconds=60 * place.options.minutes)
             fault = [] if gained < FUNCTIONS[function].most else [f"grows by {gained / 1e6:.1f} MB"]
             yield Row(f"growth, {function}", Counter(calls=done), fault, largest=max(gained, 0.0))
@@ -207,7 +192,7 @@ def growing(place: Place) -> Iterator[Row]:
 
 def mutated(place: Place) -> Iterator[Row]:
     row, options, table = Row("mutation"), place.options, []
-    for each in place.within_minutes(outcomes(drawn(place.budget.mutants, options.seed), jobs=options.jobs)):
+    for each in place.within_minutes(outcomes(drawn(place.options.mutants, options.seed), jobs=options.jobs)):
         row.outcomes[each.outcome] += 1
         table.append(each.row)
         if each.outcome in ("survived", "error"):
