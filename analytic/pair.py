@@ -48,7 +48,7 @@ def pair_in_series(scene: Scene, arrangement: Arrangement, correction: ContactCo
     """
     operation = scene.operation.as_series()
     if correction is not None and any(
-        np.ndim(factor) for side in (correction.inner, correction.outer) for factor in vars(side).values()
+        np.ndim(factor) for side in (correction.inner, correction.outer) for factor in side
     ):
         raise InputError("correction has a factor for each point, which a pair of bearings does not take: give numbers")
 
