@@ -222,11 +222,10 @@ def test_statistics_take_free_balls_too() -> None:
     np.testing.assert_allclose(statistics.race_excess_torque, excess, rtol=1e-9)
     low, high = statistics.race_excess_interval
     assert low <= statistics.race_excess_torque <= high
-    assert statistics.grip_used == max(block.grip for block in blocks)
     assert statistics.other is not None
     assert statistics.other.state == "rest"
     given = measured_motion(cage, **options)
-    assert (given.race_excess_torque, given.grip_used) == (0.0, 0.0)
+    assert given.race_excess_torque == 0.0
 
 
 def test_impossible_input_is_refused() -> None:

@@ -96,9 +96,7 @@ def test_statistics_are_those_of_the_blocks() -> None:
     np.testing.assert_allclose(
         statistics.torque, lost["slip_power"] + lost["land_power"] + lost["drag_power"], rtol=1e-12
     )
-    np.testing.assert_allclose(
-        [statistics.damping_torque, statistics.drag_torque], [lost["damping_power"], lost["drag_power"]]
-    )
+    np.testing.assert_allclose(statistics.damping_torque, lost["damping_power"])
     np.testing.assert_allclose(statistics.signed_moment, np.mean([block.moment for block in blocks]), rtol=1e-12)
     largest = sorted(block.max_force for block in blocks)
     np.testing.assert_allclose(statistics.max_force, (largest[9] + largest[10]) / 2, rtol=1e-12)
@@ -132,8 +130,7 @@ def test_drag_brakes_the_cage_and_the_balls_push_it(start: Any) -> None:
     cage = replace(CAGE, drag=2e-6)
     statistics = measured_motion(cage, start=start, seeds=2, duration=0.05)
     np.testing.assert_allclose(statistics.signed_moment, 2e-6 * CAGE.orbit_speed, rtol=0.02)
-    np.testing.assert_allclose(statistics.drag_torque, 2e-6 * CAGE.orbit_speed**2 / W, rtol=0.02)
-    assert statistics.torque > statistics.drag_torque
+    assert statistics.torque > 0.98 * 2e-6 * CAGE.orbit_speed**2 / W  # by drag alone, to 2 %
 
 
 def test_impossible_input_is_refused() -> None:
