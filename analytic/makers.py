@@ -104,8 +104,8 @@ class CatalogueBand(Brief):
 
     def sides(self, torque: Array) -> dict[str, int]:
         """At how many points a torque, N m, is below and above; without a side on which it is nowhere."""
-        found = {"below": np.count_nonzero(torque < self.low), "above": np.count_nonzero(torque > self.high)}
-        return {side: count for side, count in found.items() if count}
+        found = {"below": torque < self.low, "above": torque > self.high}
+        return {side: int(points.sum()) for side, points in found.items() if points.any()}
 
 
 def scene_band(scene: Scene, loads: PairEquilibrium | None = None) -> CatalogueBand:
@@ -198,7 +198,8 @@ def _free_angle(bearing: Bearing) -> float:
 
 def catalogue_band(case: CatalogueCase, *, lubrication: Supply) -> CatalogueBand:
     """All models; of deep groove bearings Palmgren's with the least and the largest of his usual load factors."""
-    values = {"SKF": np.sum(skf_parts(case, lubrication=lubrication), axis=0)}
+    rolling, sliding = skf_parts(case, lubrication=lubrication)
+    values = {"SKF": rolling + sliding}
     if case.series not in SKF_DEEP_GROOVE:
         values["Palmgren"] = palmgren_inclined_torque(case, lubrication=lubrication)
     else:
