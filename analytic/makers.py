@@ -103,7 +103,18 @@ class CatalogueBand(Brief):
     values: Mapping[str, Array]  # by name of the model; NaN where a model does not hold
 
     def sides(self, torque: Array) -> dict[str, int]:
-        """At how many points a torque, N m, is below and above; without a side on which it is nowhere."""
+        """At how many points a torque is outside, on either side.
+
+        Parameters
+        ----------
+        torque : ndarray
+            N m, of the shape of the band.
+
+        Returns
+        -------
+        dict of str to int
+            By "below" and "above", as far as there are such points.
+        """
         found = {"below": torque < self.low, "above": torque > self.high}
         return {side: int(points.sum()) for side, points in found.items() if points.any()}
 
