@@ -121,17 +121,22 @@ def limit_reasons(scene: Scene, found: Solution) -> dict[str, str]:
     }
 
 
-def _nearest_shoulder(bearing: Bearing, found: Solution) -> str:
-    left, nearest, unknown = np.inf, "no ball is loaded", []
+def _at_shoulders(bearing: Bearing, found: Solution) -> Iterator[tuple[str, bool, float, float]]:
+    """(race, whether its shoulder is known, semi-axis and distance of the contact that comes nearest to it, m)."""
     for race, (name, is_known) in enumerate(zip(RACES, known_shoulders(bearing), strict=True)):
-        if not is_known:
-            unknown.append(name)
-            continue
         b, distance = (found.balls[field][..., race] for field in ("semi_axis_transverse", "shoulder_distance"))
         worst = np.unravel_index(np.argmin(distance - b), distance.shape)
-        if distance[worst] - b[worst] < left:
-            left = distance[worst] - b[worst]
-            nearest = f"semi-axis {length_of(b[worst])} of {length_of(distance[worst])} to the {name} race's shoulder"
+        yield name, is_known, b[worst], distance[worst]
+
+
+def _nearest_shoulder(bearing: Bearing, found: Solution) -> str:
+    left, nearest, unknown = np.inf, "no ball is loaded", []
+    for name, is_known, b, distance in _at_shoulders(bearing, found):
+        if not is_known:
+            unknown.append(name)
+        elif distance - b < left:
+            left = distance - b
+            nearest = f"semi-axis {length_of(b)} of {length_of(distance)} to the {name} race's shoulder"
     if not unknown:
         return nearest
     rings = " and ".join(f"bearing.{name}.shoulder_height" for name in unknown)
@@ -141,13 +146,11 @@ def _nearest_shoulder(bearing: Bearing, found: Solution) -> str:
 def _past_limits(scene: Scene, found: Solution, numbers: LimitNumbers) -> Iterator[str]:
     """A warning for each limit that is past."""
     bearing = scene.bearing
-    for race, (name, is_known) in enumerate(zip(RACES, known_shoulders(bearing), strict=True)):
-        b, distance = (found.balls[field][..., race] for field in ("semi_axis_transverse", "shoulder_distance"))
-        worst = np.unravel_index(np.argmin(distance - b), distance.shape)
-        if is_known and b[worst] > distance[worst]:
+    for name, is_known, b, distance in _at_shoulders(bearing, found):
+        if is_known and b > distance:
             yield (
-                f"the contact ellipse exceeds the shoulder of the {name} race: semi-axis {length_of(b[worst])}, "
-                f"distance {length_of(distance[worst])}; the real contact is cut off there, with a higher pressure"
+                f"the contact ellipse exceeds the shoulder of the {name} race: semi-axis {length_of(b)}, "
+                f"distance {length_of(distance)}; the real contact is cut off there, with a higher pressure"
             )
     share = float(found.points["cut_off"].max())
     if share > MOST_CUT and not numbers.knows_shoulder.all():

@@ -102,6 +102,22 @@ class CatalogueBand(Brief):
     high: Array  # the largest of them
     values: Mapping[str, Array]  # by name of the model; NaN where a model does not hold
 
+    def sides(self, torque: Array) -> dict[str, int]:
+        """At how many points a torque is outside, on either side.
+
+        Parameters
+        ----------
+        torque : ndarray
+            N m, of the shape of the band.
+
+        Returns
+        -------
+        dict of str to int
+            By "below" and "above", as far as there are such points.
+        """
+        found = {"below": torque < self.low, "above": torque > self.high}
+        return {side: int(points.sum()) for side, points in found.items() if points.any()}
+
 
 def scene_band(scene: Scene, loads: PairEquilibrium | None = None) -> CatalogueBand:
     """The band at every operating point of a scene; arrays (n,), errors as of `case_of`.
@@ -193,7 +209,8 @@ def _free_angle(bearing: Bearing) -> float:
 
 def catalogue_band(case: CatalogueCase, *, lubrication: Supply) -> CatalogueBand:
     """All models; of deep groove bearings Palmgren's with the least and the largest of his usual load factors."""
-    values = {"SKF": skf_torque(case, lubrication=lubrication)}
+    rolling, sliding = skf_parts(case, lubrication=lubrication)
+    values = {"SKF": rolling + sliding}
     if case.series not in SKF_DEEP_GROOVE:
         values["Palmgren"] = palmgren_inclined_torque(case, lubrication=lubrication)
     else:
@@ -211,14 +228,8 @@ def _band_of(values: Mapping[str, Array]) -> CatalogueBand:
     return CatalogueBand(low=np.nanmin(every, axis=0), high=np.nanmax(every, axis=0), values=MappingProxyType(values))
 
 
-def skf_torque(case: CatalogueCase, *, lubrication: Supply) -> Array:
-    """SKF's torque without seals and drag, M_rr + M_sl, N m; arguments and errors as of `skf_parts`."""
-    rolling, sliding = skf_parts(case, lubrication=lubrication)
-    return rolling + sliding
-
-
 def skf_parts(case: CatalogueCase, *, lubrication: Supply) -> tuple[Array, Array]:
-    """SKF's rolling and sliding torque M_rr and M_sl, N m.
+    """SKF's rolling and sliding torque M_rr and M_sl, N m, without seals and drag.
 
     With d_m = (d + D)/2 and n in rev/min:
         M_rr = phi_ish phi_rs G_rr (nu n)^0.6

@@ -18,10 +18,8 @@ from analytic.errors import InputError
 from analytic.loads.pair import PairContacts, PairEquilibrium, pair_equilibrium
 from analytic.loads.turning import Inertia
 from analytic.numerics.elements import share_in
-from analytic.result import FrictionTorque, PairPart, TorqueParts
+from analytic.result import BEARINGS, FrictionTorque, PairPart, TorqueParts
 from analytic.scene import Arrangement, Array, Operation, Scene
-
-ORDER = ("first", "second")  # bearing
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -48,7 +46,7 @@ def pair_in_series(scene: Scene, arrangement: Arrangement, correction: ContactCo
     """
     operation = scene.operation.as_series()
     if correction is not None and any(
-        np.ndim(factor) for side in (correction.inner, correction.outer) for factor in vars(side).values()
+        np.ndim(factor) for side in (correction.inner, correction.outer) for factor in side
     ):
         raise InputError("correction has a factor for each point, which a pair of bearings does not take: give numbers")
 
@@ -103,28 +101,26 @@ def pair_torque(scene: Scene, both: PairSeries, each: FrictionTorque) -> Frictio
     operation, found = scene.operation.as_series(), both.equilibrium
     count = operation.inner_speed.size
     at_rest = scene.losses.total
-    by_bearing = np.full((2, count), 0.0 if at_rest is None else at_rest)
-    for total, points, rows in zip(by_bearing, both.points, both.rows, strict=True):
-        total[points] = each.torque.total[rows]
+
+    def apart(values: Array, unloaded: float = 0.0) -> Array:
+        """(2, n) of each bearing; unloaded : where its inner ring does not press."""
+        found = np.full((2, count), unloaded)
+        for of_bearing, points, rows in zip(found, both.points, both.rows, strict=True):
+            of_bearing[points] = values[rows]
+        return found
 
     def summed(part: Array | None, unloaded: float = 0.0) -> Array | None:
-        if part is None:
-            return None
-        values = np.full((2, count), unloaded)
-        for value, points, rows in zip(values, both.points, both.rows, strict=True):
-            value[points] = part[rows]
-        return values.sum(axis=0)
+        return None if part is None else apart(part, unloaded).sum(axis=0)
 
+    by_bearing = apart(each.torque.total, at_rest or 0.0)
     parts = {name: summed(part) for name, part in vars(each.torque).items() if name not in ("total", "declared")}
     total = by_bearing.sum(axis=0)
     unsure = summed(each.numerical_uncertainty * each.torque.total)
     assert unsure is not None
     # Where both bearings are pressed, the one with the heaviest ball stands for the pair.
-    place = np.zeros((2, count), dtype=np.intp)
-    for where, points, rows in zip(place, both.points, both.rows, strict=True):
-        where[points] = rows
+    place = apart(np.arange(float(each.inner_speed.size))).astype(np.intp)
     heavier = np.where(found.is_pressed, found.ball_load, -1.0).argmax(axis=0)
-    apart = tuple(each.at(rows) if rows.size else None for rows in both.rows)
+    first, second = (each.at(rows) if rows.size else None for rows in both.rows)
     return replace(
         each.at(place[heavier, np.arange(count)]),
         limits=each.limits.worst(both.rows, both.points, count),
@@ -140,7 +136,7 @@ def pair_torque(scene: Scene, both: PairSeries, each: FrictionTorque) -> Frictio
         pair=PairPart(
             kind=scene.arrangement.kind,
             equilibrium=found,
-            bearings=(apart[0], apart[1]),
+            bearings=(first, second),
             points=both.points,
             total=by_bearing,
         ),
@@ -159,7 +155,7 @@ def _mirrored(scene: Scene) -> Iterator[str]:
 
 def _relieved(found: PairEquilibrium) -> Iterator[str]:
     count = found.is_relieved.shape[1]
-    for name, relieved in zip(ORDER, found.is_relieved, strict=True):
+    for name, relieved in zip(BEARINGS, found.is_relieved, strict=True):
         if relieved.any():
             yield (
                 f"the loads relieve the {name} bearing of the pair at {np.count_nonzero(relieved)} of {count} "

@@ -196,8 +196,7 @@ def _balls(bearing: Bearing) -> str:
 
 def _place(total: Array, band: CatalogueBand) -> str:
     """Where the torque lies by the catalogue band, in words."""
-    places = {"below": total < band.low, "above": total > band.high}
-    outside = {side: np.count_nonzero(points) for side, points in places.items() if points.any()}
+    outside = band.sides(total)
     if not outside:
         return "within the catalogue band"
     if total.size == 1:

@@ -13,7 +13,7 @@ from analytic.limits import too_fast
 from analytic.makers import CatalogueBand, beside_catalogue, of_open_bearing
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Array, Scene
-from analytic.verdicts import PhysicalCheck, Verdicts, numerical_check, physical_checks
+from analytic.verdicts import PHYSICAL_ORDER, PhysicalCheck, Verdicts, numerical_check, physical_checks
 from analytic.words import percent_of
 
 Word = Literal["fail", "incomplete", "undecided", "check"]
@@ -53,38 +53,29 @@ def standing_of(
 
     torque, band : arrays (n,), N m
     """
-    standing = _standing(scene, torque=torque, effects=effects, verdicts=verdicts, band=band)
-    speed = too_fast(scene)
-    return standing if speed is None else replace(standing, reason=f"{speed}; {standing.reason}")
 
+    def said(word: Word, reason: str) -> Standing:
+        return Standing(word=word, reason="; ".join(filter(None, (too_fast(scene), reason))))
 
-def _standing(
-    scene: Scene,
-    *,
-    torque: TorqueParts,
-    effects: Iterable[Effect],
-    verdicts: Verdicts,
-    band: CatalogueBand | None,
-) -> Standing:
     if verdicts.overall == "fail":
-        return Standing(word="fail", reason=verdicts.reason)
+        return said("fail", verdicts.reason)
     off = [each for each in effects if each.decision == "off" and not _chosen(scene, each.name)]
     sizes = [(_size(scene, each), each) for each in off]
     large = [(share, each) for share, each in sizes if share > scene.tolerance]
     estimated = [(share, each) for share, each in large if each.name in OIL_LOSSES and share <= MOST_ESTIMATED]
     lacking = [each for each in large if each not in estimated]
     if lacking:
-        return Standing(word="incomplete", reason=_lack(lacking, scene.tolerance))
+        return said("incomplete", _lack(lacking, scene.tolerance))
     if verdicts.overall == "undecided":
-        return Standing(word="undecided", reason=verdicts.reason)
+        return said("undecided", verdicts.reason)
     without = "".join(
         f"; without {each.name}, some {percent_of(share, 2)} by usual values" for share, each in estimated
     )
     if band is None:
-        return Standing(word="check", reason=f"no maker's formula holds for this bearing{without}; {UNMEASURED}")
+        return said("check", f"no maker's formula holds for this bearing{without}; {UNMEASURED}")
     compared, words = of_open_bearing(torque)
     after = f", {words}" if words else ""
-    return Standing(word="check", reason=f"{_place(compared, band)} the makers' formulas{after}{without}; {UNMEASURED}")
+    return said("check", f"{_place(compared, band)} the makers' formulas{after}{without}; {UNMEASURED}")
 
 
 def _size(scene: Scene, effect: Effect) -> float:
@@ -117,12 +108,9 @@ def _chosen(scene: Scene, effect: str) -> bool:
 
 def _place(total: Array, band: CatalogueBand) -> str:
     """Where the torque lies by the band: inside at all points, or on which side at all or some."""
-    sides = [name for name, points in (("below", total < band.low), ("above", total > band.high)) if np.any(points)]
-    some = "" if total.size == 1 or np.all((total < band.low) | (total > band.high)) else "in part "
+    sides = band.sides(total)
+    some = "" if total.size == 1 or sum(sides.values()) == total.size else "in part "
     return some + " and ".join(sides) if sides else "inside"
-
-
-SERIOUS = ("fail", "unknown", "pass")  # verdicts of a physical check, the worst first
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -180,21 +168,19 @@ def _verdicts(scene: Scene, friction: FrictionTorque) -> Verdicts:
 
 def _joined_parts(series: Sequence[TorqueParts]) -> TorqueParts:
     """A part that one series does not have is 0 there."""
-    joined = {}
-    for name in (field.name for field in fields(TorqueParts)):
-        values = [getattr(each, name) for each in series]
-        if any(value is not None for value in values):
-            at_all = [np.zeros_like(each.total) if value is None else value
-                      for each, value in zip(series, values, strict=True)]  # fmt: skip
-            joined[name] = np.concatenate(at_all)
-        else:
-            joined[name] = None
-    return TorqueParts(**joined)
+
+    def joined(name: str) -> Array | None:
+        parts = [(getattr(each, name), each.total) for each in series]
+        if all(part is None for part, _ in parts):
+            return None
+        return np.concatenate([np.zeros_like(total) if part is None else part for part, total in parts])
+
+    return TorqueParts(**{field.name: joined(field.name) for field in fields(TorqueParts)})  # pyright: ignore[reportArgumentType]
 
 
 def _worst_checks(checks: Iterable[PhysicalCheck]) -> Iterable[PhysicalCheck]:
     """The most serious check of each limit and place."""
-    by_severity = sorted(checks, key=lambda check: SERIOUS.index(check.verdict), reverse=True)
+    by_severity = sorted(checks, key=lambda check: PHYSICAL_ORDER.index(check.verdict), reverse=True)
     return {(check.name, check.where): check for check in by_severity}.values()
 
 

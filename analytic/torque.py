@@ -7,7 +7,7 @@ and oppose the rotation: the other direction of rotation mirrors them.
 import os
 import platform
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cache, cached_property
 from importlib.metadata import PackageNotFoundError, version
 from time import perf_counter
@@ -648,8 +648,7 @@ def _on_races(balls: Records, name: str, is_known: bool) -> dict[str, Array | No
 
 
 def _loaded(balls: Records, race: int) -> LoadedContact:
-    names = ("load", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
-    return LoadedContact(**{name: balls[name][:, race].copy() for name in names})
+    return LoadedContact(**{each.name: balls[each.name][:, race].copy() for each in fields(LoadedContact)})
 
 
 def _provenance(races: Races) -> Mapping[str, str]:

@@ -171,6 +171,7 @@ def _check(name: Any, where: Any, values: Array, limit: float, note: str, *, is_
 # On a production value against its reference.
 Verdict = Literal["pass", "fail", "undecided", "outside validity"]
 Physical = Literal["pass", "fail", "unknown"]
+PHYSICAL_ORDER: tuple[Physical, ...] = ("fail", "unknown", "pass")  # the worst first
 Overall = Literal["pass", "fail", "undecided"]
 FAILS, IS_OPEN = ("fail", "outside validity"), ("undecided", "not reached", "unknown")
 Compared = Literal["contacts", "film", "friction"]  # with a numerical reference
@@ -218,7 +219,7 @@ class Verdicts:
     def worst_physical(self) -> Physical:
         """The most serious of the physical verdicts."""
         verdicts: list[Physical] = [check.verdict for check in self.physical]
-        return min(verdicts, key=("fail", "unknown", "pass").index)
+        return min(verdicts, key=PHYSICAL_ORDER.index)
 
     @property
     def overall(self) -> Overall:

@@ -29,7 +29,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from analytic.cage.pocket import FAST
 from analytic.contact.geometry import RACES, race_curvatures
-from analytic.contact.hertz import HertzContact, HertzNumbers, contact_modulus, hertz_contact, loaded_contact
+from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, loaded_contact
 from analytic.contact.rolling_contact import deformed_radius
 from analytic.errors import InputError, SingularError, require_finite, require_non_negative
 from analytic.loads.kinematics import BallMotion, ball_kinematics
@@ -569,7 +569,7 @@ def thrust_raceways(bearing: Bearing, balls: Records, *, inner_speed: float, fri
     friction : mu of inner and outer race
     """
     names = {"semi_axis_x": "semi_axis_rolling", "semi_axis_y": "semi_axis_transverse"}
-    contact = {name: balls[names.get(name, name)].T for name in HertzNumbers._fields}
+    contact = {name: balls[names.get(name, name)].T for name in HertzContact._fields}
     side = np.where(balls["angle"].sum(axis=1) < 0, -1.0, 1.0)
     contacts = RaceContacts(
         load=balls["load"].T, contact_angle=side * balls["angle"].T, contact=HertzContact(**contact)
@@ -613,7 +613,7 @@ def ring_raceways(
     balls = ring.balls.T.ravel()  # over a turn
     load = np.ascontiguousarray(balls["load"].T)
     units = [balls[f"{race}_unit"] for race in RACES]
-    unit = HertzContact(**{name: np.stack([each[name] for each in units]) for name in HertzNumbers._fields})
+    unit = HertzContact(**{name: np.stack([each[name] for each in units]) for name in HertzContact._fields})
     return Raceways(
         bearing=bearing,
         contacts=RaceContacts(
@@ -635,12 +635,8 @@ def _under_unit_load(bearing: Bearing, contacts: RaceContacts, modulus: Array) -
     rolling, transverse = (np.stack(values) for values in zip(*curvatures, strict=True))
     free = hertz_contact(curvature_x=rolling, curvature_y=transverse, load=1.0, modulus=modulus)
     root = np.cbrt(contacts.load)
-    return HertzContact(
-        **{
-            name: np.divide(getattr(contacts.contact, name), root, out=getattr(free, name).copy(), where=root > 0)
-            for name in vars(free)
-        }
-    )
+    both = zip(contacts.contact, free, strict=True)
+    return HertzContact(*(np.divide(each, root, out=bare.copy(), where=root > 0) for each, bare in both))
 
 
 def _by_force(bearing: Bearing, contacts: RaceContacts) -> Array:

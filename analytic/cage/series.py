@@ -1,6 +1,6 @@
 """The motion of a cage as a time series, for plots and files."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,18 @@ from analytic.errors import require_positive
 from analytic.labelled import Column, Labelled, dataset_of
 from analytic.scene import Array
 
-AXES = ("x", "y", "z")  # of the fixed frame; z is the bearing's axis
+INSTANT, VECTOR, OF_BALLS = ("time",), ("time", "direction"), ("time", "ball", "direction")
+COLUMNS = {
+    "ball_angle": (INSTANT, Column("rad", "angle through which the balls have gone round the bearing")),
+    "centre": (VECTOR, Column("m", "place of the cage's centre, from the centre of the bearing")),
+    "velocity": (VECTOR, Column("m/s", "velocity of the cage's centre")),
+    "axis": (VECTOR, Column("1", "axis of the cage, of length 1: it tilts")),
+    "angular_velocity": (VECTOR, Column("rad/s", "angular velocity of the cage")),
+    "offset": (OF_BALLS, Column("m", "place of each ball's centre, from the centre of its pocket")),
+    "force": (OF_BALLS, Column("N", "force of each ball on the cage, normal force and friction")),
+    "slip_power": (INSTANT, Column("W", "power of friction in the pockets, mean since the previous instant")),
+    "max_force": (INSTANT, Column("N", "largest normal force of one contact since the previous instant")),
+}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -31,28 +42,12 @@ class CageSeries(Brief):
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset with units and meanings as attributes. Raises MissingPackageError without xarray."""
-        rows, each, balls = ("time",), ("time", "direction"), ("time", "ball", "direction")
-        fixed = "fixed frame; z is the bearing's axis"
-        described = {
-            "ball_angle": (rows, "rad", "angle through which the balls have gone round the bearing"),
-            "centre": (each, "m", "place of the cage's centre, from the centre of the bearing"),
-            "velocity": (each, "m/s", "velocity of the cage's centre"),
-            "axis": (each, "1", "axis of the cage, of length 1: it tilts"),
-            "angular_velocity": (each, "rad/s", "angular velocity of the cage"),
-            "offset": (balls, "m", "place of each ball's centre, from the centre of its pocket"),
-            "force": (balls, "N", "force of each ball on the cage, normal force and friction"),
-            "slip_power": (rows, "W", "power of friction in the pockets, mean since the previous instant"),
-            "max_force": (rows, "N", "largest normal force of one contact since the previous instant"),
-        }
         numbers = np.arange(self.force.shape[1])
         return dataset_of(
-            {
-                name: Labelled(dimensions, getattr(self, name), Column(unit, meaning))
-                for name, (dimensions, unit, meaning) in described.items()
-            },
+            {name: Labelled(dimensions, getattr(self, name), column) for name, (dimensions, column) in COLUMNS.items()},
             coordinates={
-                "time": Labelled(rows, self.time, Column("s", "time since the beginning")),
-                "direction": Labelled(("direction",), list(AXES), Column("", fixed)),
+                "time": Labelled(INSTANT, self.time, Column("s", "time since the beginning")),
+                "direction": Labelled(("direction",), list("xyz"), Column("", "fixed frame; z is the bearing's axis")),
                 "ball": Labelled(("ball",), numbers, Column("", "ball i begins at azimuth 2 pi i/Z")),
             },
             attributes={},
@@ -66,22 +61,10 @@ def recorded_motion(motion: CageMotion, *, duration: float, samples: int) -> Cag
     Raises MotionError if the motion diverges.
     """
     require_positive(duration=duration, samples=samples)
-    rows: list[tuple[Any, ...]] = []
+    rows: list[dict[str, Any]] = []
     for _ in range(samples):
         passed = motion.advance(duration / samples)
-        rows.append(
-            (
-                motion.time,
-                motion.ball_angle,
-                motion.centre,
-                motion.velocity,
-                motion.orientation[:, 2],
-                motion.angular_velocity,
-                motion.offsets,
-                motion.forces(),
-                passed.slip_power,
-                passed.max_force,
-            )
-        )
-    columns = [np.array(column) for column in zip(*rows, strict=True)]
-    return CageSeries(**{part.name: column for part, column in zip(fields(CageSeries), columns, strict=True)})
+        row = {name: getattr(motion, name) for name in ("time", "ball_angle", "centre", "velocity", "angular_velocity")}
+        row |= {"axis": motion.orientation[:, 2], "offset": motion.offsets, "force": motion.forces()}
+        rows.append(row | {name: getattr(passed, name) for name in ("slip_power", "max_force")})
+    return CageSeries(**{name: np.array([row[name] for row in rows]) for name in rows[0]})

@@ -48,7 +48,6 @@ class CageStatistics:
 
     torque: float  # mean power of sliding and drag over the speed of the ring, N m
     torque_interval: tuple[float, float]  # of the mean, N m
-    drag_torque: float  # the part of it from drag of the oil around the cage, N m
     damping_torque: float  # power lost in impacts over the speed of the ring, N m; not part of `torque`
     signed_moment: float  # mean moment of the balls on the cage about the axis, N m
     mean_force: float  # mean sum of all normal forces in the pockets, N
@@ -64,7 +63,6 @@ class CageStatistics:
     other: OtherStart | None  # None: the cage cannot whirl, so there is only one steady motion
     race_excess_torque: float = 0.0  # slip in the races that the cage adds, over the ring's speed, N m; by free balls
     race_excess_interval: tuple[float, float] = (0.0, 0.0)  # of its mean, N m
-    grip_used: float = 0.0  # largest traction of a race along the orbit over its limit, a share; by free balls
 
 
 @lru_cache(maxsize=256)
@@ -117,7 +115,6 @@ def measured_motion(
     return CageStatistics(
         torque=float(torques.mean()),
         torque_interval=_of_mean(torques),
-        drag_torque=mean("drag_power") * over_speed,
         damping_torque=mean("damping_power") * over_speed,
         signed_moment=mean("moment"),
         mean_force=mean("force"),
@@ -133,7 +130,6 @@ def measured_motion(
         other=_other(cage, state, start, blocks),
         race_excess_torque=float(excess.mean()),
         race_excess_interval=_of_mean(excess),
-        grip_used=max(block.grip for run in runs for block in run),
     )
 
 

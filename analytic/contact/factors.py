@@ -10,35 +10,41 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.contact.hertz import HertzNumbers
+from analytic.contact.hertz import HertzContact
 from analytic.errors import require_positive
 from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Real
 from analytic.scene import Array
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ContactFactors:
+class ContactFactors(NamedTuple):
     """Size, pressure and approach of one contact over those of Hertz at the same load; 1 leaves Hertz's value.
 
     Each factor is a number, or an array with one element for each load.
     """
 
-    semi_axis_rolling: float | Array = 1.0  # factor on a
-    semi_axis_transverse: float | Array = 1.0  # factor on b
-    approach: float | Array = 1.0  # factor on delta
-    peak_pressure: float | Array | None = None  # None: pressure is a semi-ellipsoid over the new semi-axes
+    semi_axis_rolling: Real = 1.0  # factor on a
+    semi_axis_transverse: Real = 1.0  # factor on b
+    approach: Real = 1.0  # factor on delta
+    peak_pressure: Real = np.nan  # NaN: pressure is a semi-ellipsoid over the new semi-axes
 
-    def __post_init__(self) -> None:
-        given = {name: value for name, value in vars(self).items() if value is not None}
-        require_positive(**given)
+
+AS_HERTZ = ContactFactors()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ContactCorrection:
-    """The factors of both races."""
+    """The factors of both races; raises InputError for one that is not positive."""
 
-    inner: ContactFactors = ContactFactors()
-    outer: ContactFactors = ContactFactors()
+    inner: ContactFactors = AS_HERTZ
+    outer: ContactFactors = AS_HERTZ
+
+    def __post_init__(self) -> None:
+        for side in (self.inner, self.outer):
+            given = side._asdict()
+            if np.isnan(side.peak_pressure).all():
+                del given["peak_pressure"]
+            require_positive(**given)
 
     def mapped(self, change: Callable[[Array], Array]) -> "ContactCorrection":
         """A copy with a change applied to every factor that is an array.
@@ -55,47 +61,30 @@ class ContactCorrection:
         """
 
         def side(factors: ContactFactors) -> ContactFactors:
-            return ContactFactors(
-                **{n: change(v) if isinstance(v, np.ndarray) else v for n, v in vars(factors).items()}
-            )
+            return ContactFactors(*(change(each) if isinstance(each, np.ndarray) else each for each in factors))
 
         return ContactCorrection(inner=side(self.inner), outer=side(self.outer))
 
 
-class FactorNumbers(NamedTuple):
-    """One `ContactFactors` in numbers, for compiled formulas."""
-
-    semi_axis_rolling: float
-    semi_axis_transverse: float
-    approach: float
-    peak_pressure: float  # NaN: that of a semi-ellipsoid
-
-
 class CorrectionNumbers(NamedTuple):
-    """The factors of both races."""
+    """The factors of both races, for compiled formulas."""
 
-    inner: FactorNumbers
-    outer: FactorNumbers
+    inner: ContactFactors
+    outer: ContactFactors
 
 
 @compiled
-def corrected(contact: HertzNumbers, factors: FactorNumbers) -> HertzNumbers:
+def corrected(contact: HertzContact, factors: ContactFactors) -> HertzContact:
     """Hertz's contact with the factors applied; the load and the exponent 3/2 stay.
 
     Semi-axes, approach and peak pressure are multiplied by their factors, and K = Q/delta^1.5. Without a factor for the
     peak pressure it is that of a semi-ellipsoid, p0 = 3 Q/(2 pi a b). Factors of 1 change no bit.
     """
     product, own = factors.semi_axis_rolling * factors.semi_axis_transverse, factors.peak_pressure
-    return HertzNumbers(
+    return HertzContact(
         contact.semi_axis_x * factors.semi_axis_rolling,
         contact.semi_axis_y * factors.semi_axis_transverse,
         contact.peak_pressure / product if np.isnan(own) else contact.peak_pressure * own,
         contact.approach * factors.approach,
         contact.stiffness / (factors.approach * np.sqrt(factors.approach)),
     )
-
-
-def factor_fields(factors: ContactFactors) -> tuple[float | Array, ...]:
-    """The factors in the order of `FactorNumbers`."""
-    values = vars(factors) | {"peak_pressure": np.nan if factors.peak_pressure is None else factors.peak_pressure}
-    return tuple(values[name] for name in FactorNumbers._fields)

@@ -10,7 +10,7 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from analytic.contact.factors import ContactCorrection, ContactFactors, FactorNumbers
+from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.contact.finite_geometry_fit import (
     OFF_SHOULDER,
     POWERS,
@@ -83,7 +83,7 @@ def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, bal
     geometries_on(fit_record(), record_of(numbers), given, np.empty(POWERS), fields)
     each = fields.reshape(len(fields), *of)
     found = _corrected(
-        GeometryNumbers(FactorNumbers(*each[:4]), FactorNumbers(*each[4:8]), each[8], each[9]),
+        GeometryNumbers(ContactFactors(*each[:4]), ContactFactors(*each[4:8]), each[8], each[9]),
         lambda: race_shape(taken, race, contact_angle=contact_angle, ball_load=ball_load),
     )
     if not np.isnan(numbers.near_shoulder):
@@ -127,7 +127,7 @@ def _corrected(found: GeometryNumbers, shape: Callable[[], ContactShape]) -> Cor
     """The correction with its warnings; shape : that it was applied to, of the same dimensions."""
     outside = np.asarray(found.beyond) > 0
     return CorrectedGeometry(
-        factors=ContactFactors(**found.factors._asdict()),
+        factors=found.factors,
         uncertainty=MappingProxyType(found.uncertainty._asdict()),
         covered=~outside,
         applied=np.asarray(found.applied),

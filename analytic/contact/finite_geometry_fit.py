@@ -22,9 +22,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic import catalog
-from analytic.contact.factors import FactorNumbers
+from analytic.contact.factors import ContactFactors
 from analytic.contact.geometry import USUAL_SHOULDERS, RaceNumbers, distances_to_shoulders, rolling_curvature
-from analytic.contact.hertz import HertzNumbers, unit_hertz
+from analytic.contact.hertz import HertzContact, unit_hertz
 from analytic.numerics.compilation import compiled
 from analytic.numerics.elements import formula
 from analytic.numerics.machine_code import entry
@@ -97,7 +97,7 @@ POWERS = CHANGES + 4  # numbers in the table
 
 
 class FitNumbers(NamedTuple):
-    """The stored fit; quantities in the order of `FactorNumbers`, ratios in that of `ContactShape`."""
+    """The stored fit; quantities in the order of `ContactFactors`, ratios in that of `ContactShape`."""
 
     low: Array  # (9,) least of each ratio
     high: Array  # (9,)
@@ -112,8 +112,8 @@ class FitNumbers(NamedTuple):
 class GeometryNumbers(NamedTuple):
     """The correction of one contact; `CorrectedGeometry` says what it is."""
 
-    factors: FactorNumbers
-    uncertainty: FactorNumbers
+    factors: ContactFactors
+    uncertainty: ContactFactors
     beyond: float  # steps out of the range, see `steps_beyond`
     applied: float
 
@@ -133,7 +133,7 @@ def limits() -> dict[str, tuple[float, float]]:
 @cache
 def fit_numbers() -> FitNumbers:
     """The stored fit as tables."""
-    quantities = [stored_fit()["quantity"][name] for name in FactorNumbers._fields]
+    quantities = [stored_fit()["quantity"][name] for name in ContactFactors._fields]
     terms = [term for quantity in quantities for term in quantity["terms"]]
     factors = np.zeros((len(terms), MOST_FACTORS), dtype=np.intp)  # 0: a power of 0
     for row, term in enumerate(terms):
@@ -151,7 +151,7 @@ def fit_numbers() -> FitNumbers:
         factors=factors,
         first=np.cumsum([0, *(len(quantity["terms"]) for quantity in quantities)], dtype=np.intp),
         uncertainty=np.array([quantity["uncertainty"] for quantity in quantities]),
-        size_power=np.array([SIZE_POWER[name] for name in FactorNumbers._fields], dtype=np.intp),
+        size_power=np.array([SIZE_POWER[name] for name in ContactFactors._fields], dtype=np.intp),
     )
 
 
@@ -205,7 +205,7 @@ def shape_bases(shape: ContactShape) -> tuple[Bases, Bases]:
 
 
 @compiled
-def _bases_of(shape: ContactShape, unit: HertzNumbers, shoulder: float, land_slope: float) -> Bases:
+def _bases_of(shape: ContactShape, unit: HertzContact, shoulder: float, land_slope: float) -> Bases:
     """The bases at one side; shoulder : its distance over r;  land_slope : see `Bases`.
 
     unit : the contact of the shape with r = 1 and E* = 1, under the load 1
@@ -283,8 +283,8 @@ def geometry_of(fit: FitNumbers, shape: ContactShape, powers: Array) -> Geometry
     growth = HELD * min(beyond, 1.0) + FADED * (1 - applied)
     small = min(1.0, shape.size / SMALL)
     return GeometryNumbers(
-        FactorNumbers(1 + applied * rolling, 1 + applied * transverse, 1 + applied * approach, 1 + applied * pressure),
-        FactorNumbers(
+        ContactFactors(1 + applied * rolling, 1 + applied * transverse, 1 + applied * approach, 1 + applied * pressure),
+        ContactFactors(
             fit.uncertainty[0] * small + growth * abs(rolling),
             fit.uncertainty[1] * small + growth * abs(transverse),
             fit.uncertainty[2] * small + growth * abs(approach),

@@ -6,19 +6,18 @@ be the longer one. A curvature is positive where the body is convex.
 Source: [Johnson1985] section 4.2; elliptic integrals by the arithmetic-geometric mean, [DLMF] section 19.8.
 """
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.brief import Brief
 from analytic.errors import ConvergenceError, InputError, require_positive
 from analytic.numerics.compilation import compiled
 from analytic.numerics.elements import NotNegative, Positive, formula
+from analytic.numerics.records import Real
 from analytic.numerics.root import cube_root
-from analytic.scene import Array, Contact, Material
+from analytic.scene import Contact, Material
 
 # Newton converges quadratically with |error_next| < 0.015 error^2, so a step below this leaves less than round-off.
 LAST_STEP = 3e-7
@@ -30,25 +29,14 @@ START_ABOVE = (4 / 3, 0.118703435, 0.0025121474, 9.30218648e-06)
 START_BELOW = (1.0, 0.093656896, 0.00212502223, 8.60234564e-06)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class HertzContact(Brief):
-    """The contact of one or many pairs of bodies; every field has the broadcast shape of the arguments."""
+class HertzContact(NamedTuple):
+    """The contact of two bodies, or of many: then every field has the broadcast shape of the arguments."""
 
-    semi_axis_x: Array  # in the direction of rolling, m
-    semi_axis_y: Array  # transverse, m
-    peak_pressure: Array  # p0, at the centre, Pa
-    approach: Array  # delta, of two points far inside the bodies, m
-    stiffness: Array  # K = load / approach^1.5, N/m^1.5; finite at zero load too
-
-
-class HertzNumbers(NamedTuple):
-    """One `HertzContact` in numbers, for compiled formulas."""
-
-    semi_axis_x: float
-    semi_axis_y: float
-    peak_pressure: float
-    approach: float
-    stiffness: float
+    semi_axis_x: Real  # in the direction of rolling, m
+    semi_axis_y: Real  # transverse, m
+    peak_pressure: Real  # p0, at the centre, Pa
+    approach: Real  # delta, of two points far inside the bodies, m
+    stiffness: Real  # K = load / approach^1.5, N/m^1.5; finite at zero load too
 
 
 @compiled
@@ -110,7 +98,7 @@ def ellipse_of(log_curvature_ratio: float) -> Ellipse:
 
 
 @formula
-def unit_hertz(curvature_x: Positive, curvature_y: Positive, modulus: Positive) -> HertzNumbers:
+def unit_hertz(curvature_x: Positive, curvature_y: Positive, modulus: Positive) -> HertzContact:
     """The contact under 1 N; NaN where the ellipse does not settle.
 
     curvature_x, curvature_y : relative, along and across rolling, 1/m, > 0;  modulus : E*, Pa, > 0
@@ -126,7 +114,7 @@ def unit_hertz(curvature_x: Positive, curvature_y: Positive, modulus: Positive) 
     major = cube_root(3 * ellipse.integral_d / (np.pi * modulus * smaller))
     minor = np.sqrt(ellipse.squared_ratio) * major
     approach = 3 * ellipse.integral_k / (2 * np.pi * modulus * major)
-    return HertzNumbers(
+    return HertzContact(
         minor if x_is_minor else major,
         major if x_is_minor else minor,
         3 / (2 * np.pi * major * minor),
@@ -136,13 +124,13 @@ def unit_hertz(curvature_x: Positive, curvature_y: Positive, modulus: Positive) 
 
 
 @formula
-def loaded_hertz(unit: HertzNumbers, load: NotNegative) -> HertzNumbers:
+def loaded_hertz(unit: HertzContact, load: NotNegative) -> HertzContact:
     """The contact under a load Q, N, >= 0, from that under 1 N: the ellipse keeps its shape.
 
     Semi-axes and pressure grow as Q^(1/3), the approach as Q^(2/3).
     """
     root = cube_root(load)
-    return HertzNumbers(
+    return HertzContact(
         unit.semi_axis_x * root,
         unit.semi_axis_y * root,
         unit.peak_pressure * root,
@@ -152,7 +140,7 @@ def loaded_hertz(unit: HertzNumbers, load: NotNegative) -> HertzNumbers:
 
 
 @formula
-def _hertz(curvature_x: Positive, curvature_y: Positive, load: NotNegative, modulus: Positive) -> HertzNumbers:
+def _hertz(curvature_x: Positive, curvature_y: Positive, load: NotNegative, modulus: Positive) -> HertzContact:
     return loaded_hertz(unit_hertz(curvature_x, curvature_y, modulus), load)
 
 
@@ -184,12 +172,12 @@ def hertz_contact(
     -----
     The formulas of `unit_hertz`. Source: [Johnson1985] section 4.2.
     """
-    return hertz_fields(np.array(_hertz(curvature_x, curvature_y, load, modulus)))
+    return _settled(_hertz(curvature_x, curvature_y, load, modulus))
 
 
-def hertz_fields(fields: Array) -> HertzContact:
-    """Contacts from the rows (5, ...) of `HertzNumbers`. Raises ConvergenceError where the ellipse is NaN."""
-    if np.isnan(fields[0]).any():
+def _settled(contact: HertzContact) -> HertzContact:
+    """The same; raises ConvergenceError where the ellipse is NaN."""
+    if np.isnan(contact.semi_axis_x).any():
         raise ConvergenceError(
             iterations=MOST_STEPS,
             residual=float("nan"),
@@ -198,12 +186,12 @@ def hertz_fields(fields: Array) -> HertzContact:
             problem="the ellipse",
             remedy="Check that the curvatures are of ordinary size.",
         )
-    return HertzContact(**dict(zip(HertzNumbers._fields, fields, strict=True)))
+    return contact
 
 
 def loaded_contact(unit: HertzContact, *, load: ArrayLike) -> HertzContact:
     """`loaded_hertz` of contacts under 1 N; load : Q, N, >= 0, broadcasts with their fields."""
-    return hertz_fields(np.array(loaded_hertz(HertzNumbers(**vars(unit)), load)))
+    return _settled(loaded_hertz(unit, load))
 
 
 @lru_cache(maxsize=64)  # every step of an equilibrium needs it

@@ -6,7 +6,7 @@ Source: [Brewe1977], with the elongation of [Hamrock1983], as many text books pr
 
 import numpy as np
 
-from analytic.contact.hertz import HertzNumbers
+from analytic.contact.hertz import HertzContact
 from analytic.numerics.elements import NotNegative, Positive, formula
 
 # Curvature ratios, and for each a bound on the relative error: 5 to 33 % above the errors observed near it.
@@ -17,7 +17,7 @@ ERRORS = np.array([0.0, 0.0165, 0.026, 0.029, 0.0285, 0.026, 0.0155, 0.0135, 0.0
 @formula
 def hertz_contact_fitted(
     curvature_x: Positive, curvature_y: Positive, load: NotNegative, modulus: Positive
-) -> HertzNumbers:
+) -> HertzContact:
     """Size, pressure and approach of an elliptic contact, to a few per cent; arguments as hertz_contact.
 
     With alpha the larger over the smaller curvature and R = 1/(curvature_x + curvature_y):
@@ -37,7 +37,7 @@ def hertz_contact_fitted(
     minor = major / elongation
     approach = 3 * integral_k / (2 * np.pi * modulus * major)
     x_is_minor = curvature_x >= curvature_y
-    return HertzNumbers(
+    return HertzContact(
         root * (minor if x_is_minor else major),
         root * (major if x_is_minor else minor),
         root * 3 / (2 * np.pi * major * minor),

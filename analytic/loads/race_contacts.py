@@ -1,15 +1,15 @@
 """The contacts of balls with both races: by Hertz under 1 N, and one ball's under its loads."""
 
-from analytic.contact.factors import FactorNumbers, corrected
+from analytic.contact.factors import ContactFactors, corrected
 from analytic.contact.geometry import RaceNumbers, rolling_curvature
-from analytic.contact.hertz import HertzNumbers, loaded_hertz, unit_hertz
+from analytic.contact.hertz import HertzContact, loaded_hertz, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record
 
 
 @compiled
-def unit_contact_on(race: RaceNumbers, contact_angle: float, factors: FactorNumbers) -> HertzNumbers:
+def unit_contact_on(race: RaceNumbers, contact_angle: float, factors: ContactFactors) -> HertzContact:
     """A ball on a race under 1 N by Hertz, corrected; NaN where the ellipse does not settle.
 
     contact_angle : al, rad, in [-pi/2, pi/2]
@@ -19,7 +19,7 @@ def unit_contact_on(race: RaceNumbers, contact_angle: float, factors: FactorNumb
 
 
 @compiled
-def put_unit(unit: Record, contact: HertzNumbers) -> None:
+def put_unit(unit: Record, contact: HertzContact) -> None:
     """Write a contact under 1 N into a ball's state."""
     unit.semi_axis_x, unit.semi_axis_y = contact.semi_axis_x, contact.semi_axis_y
     unit.peak_pressure, unit.approach, unit.stiffness = contact.peak_pressure, contact.approach, contact.stiffness
@@ -28,7 +28,7 @@ def put_unit(unit: Record, contact: HertzNumbers) -> None:
 @compiled
 def contact_under(
     race: RaceNumbers,
-    unit: HertzNumbers,
+    unit: HertzContact,
     contact_angle: float,
     load: float,
     rolling_rate: float,

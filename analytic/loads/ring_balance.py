@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.errors import InputError
-from analytic.loads.ball_balance import Grooves, Tangent, settled_ball
+from analytic.loads.ball_balance import Grooves, Tangent, contact_tangent, in_series, settled_ball
 from analytic.loads.state import FREEDOMS, ball_states
 from analytic.numerics.compilation import compiled
 from analytic.numerics.newton import MOST_STEPS, is_too_long, newton_step
@@ -199,3 +199,17 @@ def settle_ring(grooves: Grooves, ring: Record, balls: Records) -> tuple[Balance
             share /= 2
         steps += 1
     return now, steps
+
+
+@compiled
+def stiffness_of_rings(springs: Array, travel: Array) -> Array:
+    """(n, 5, 5), N/m; springs : (4, n, 2, Z) stiffness along and across the normal, and the normal, of each contact"""
+    stiffness = np.zeros((springs.shape[1], FREEDOMS, FREEDOMS))
+    for i in range(len(stiffness)):
+        for j in range(len(travel)):
+            along, across, radial, axial = springs[:, i, :, j]
+            inner = contact_tangent(along[0], across[0], (radial[0], axial[0]))
+            outer = contact_tangent(along[1], across[1], (radial[1], axial[1]))
+            add_stiffness(stiffness[i], in_series(inner, outer), travel[j])
+        mirror(stiffness[i])
+    return stiffness

@@ -15,10 +15,8 @@ from numpy.typing import NDArray
 from analytic.brief import Brief, span
 from analytic.columns import FREEDOMS, OF_RING, Point, rows_of
 from analytic.labelled import Column, Labelled, dataset_of
-from analytic.loads.ball_balance import contact_tangent, in_series
 from analytic.loads.numbers import play_and_free_angle
-from analytic.loads.ring_balance import add_stiffness, groove_travel, mirror
-from analytic.numerics.compilation import compiled
+from analytic.loads.ring_balance import groove_travel, stiffness_of_rings
 from analytic.numerics.records import Records
 from analytic.scene import Array, Bearing, ContactAngle, Operation
 
@@ -135,7 +133,7 @@ class RingState(Brief):
         along = np.divide(1.5 * self.load, self.approach, out=np.zeros_like(self.load), where=pressed)
         springs = np.stack([along, self.load / self._arms, *np.moveaxis(self._normal, -1, 0)])
         scale = np.array([1.0, 1.0, 1.0, geometry.arm, geometry.arm])
-        found = _stiffness(springs, geometry.travel) * np.outer(scale, scale)
+        found = stiffness_of_rings(springs, geometry.travel) * np.outer(scale, scale)
         size = np.sqrt(np.abs(np.diagonal(found, axis1=1, axis2=2)))
         return np.where(np.abs(found) > ROUND_OFF * size[:, :, None] * size[:, None, :], found, 0.0)
 
@@ -196,20 +194,6 @@ class RingState(Brief):
             },
             attributes={"bearing": self.bearing.name},
         )
-
-
-@compiled
-def _stiffness(springs: Array, travel: Array) -> Array:
-    """(n, 5, 5), N/m; springs : (4, n, 2, Z) stiffness along and across the normal, and the normal, of each contact"""
-    stiffness = np.zeros((springs.shape[1], len(FREEDOMS), len(FREEDOMS)))
-    for i in range(len(stiffness)):
-        for j in range(len(travel)):
-            along, across, radial, axial = springs[:, i, :, j]
-            inner = contact_tangent(along[0], across[0], (radial[0], axial[0]))
-            outer = contact_tangent(along[1], across[1], (radial[1], axial[1]))
-            add_stiffness(stiffness[i], in_series(inner, outer), travel[j])
-        mirror(stiffness[i])
-    return stiffness
 
 
 def state_of_ring(

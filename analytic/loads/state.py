@@ -6,8 +6,8 @@ race, or are a radial and an axial component, as their comments say. Rates are p
 
 import numpy as np
 
-from analytic.contact.factors import ContactCorrection, FactorNumbers, factor_fields
-from analytic.contact.hertz import HertzNumbers
+from analytic.contact.factors import ContactCorrection, ContactFactors
+from analytic.contact.hertz import HertzContact
 from analytic.loads.kinematics import BallMotion
 from analytic.loads.turning import ForcesOfTurning
 from analytic.numerics.records import Record, Records, dtype_of
@@ -23,10 +23,10 @@ BALL_STATE = np.dtype(
         ("travel", "f8", (2, FREEDOMS)),  # radial and axial; tilts times R
         ("weight", "f8", 2),  # radial and axial, N
         # Contacts
-        ("inner_factors", dtype_of(FactorNumbers)),  # on Hertz's contact
-        ("outer_factors", dtype_of(FactorNumbers)),
-        ("inner_unit", dtype_of(HertzNumbers)),  # contact under 1 N
-        ("outer_unit", dtype_of(HertzNumbers)),
+        ("inner_factors", dtype_of(ContactFactors)),  # on Hertz's contact
+        ("outer_factors", dtype_of(ContactFactors)),
+        ("inner_unit", dtype_of(HertzContact)),  # contact under 1 N
+        ("outer_unit", dtype_of(HertzContact)),
         ("load", "f8", 2),  # Q on both races, N
         ("angle", "f8", 2),  # al on both races, rad
         # Forces; radial and axial, N
@@ -86,7 +86,7 @@ def ball_states(count: int) -> Records:
     """(Z,) balls that are concentric with their ring, with contacts by Hertz."""
     balls = np.zeros(count, BALL_STATE)
     for side in ("inner_factors", "outer_factors"):
-        for name in FactorNumbers._fields:
+        for name in ContactFactors._fields:
             balls[side][name] = np.nan if name == "peak_pressure" else 1.0
     balls["start_load"] = 1.0
     return balls
@@ -94,7 +94,7 @@ def ball_states(count: int) -> Records:
 
 def factors_of(correction: ContactCorrection) -> Array:
     """(n, 2, 4, Z) with axes of 1 where all points or all balls have the same factors; one of (n,) is of all balls."""
-    given = [np.asarray(value) for side in (correction.inner, correction.outer) for value in factor_fields(side)]
+    given = [np.asarray(value) for side in (correction.inner, correction.outer) for value in side]
     each = (value if value.ndim > 1 else value.reshape(-1, 1) for value in given)
     together = np.stack(np.broadcast_arrays(*each), axis=1)
     return np.array(together.reshape(len(together), 2, 4, -1), dtype=np.float64)
@@ -103,7 +103,7 @@ def factors_of(correction: ContactCorrection) -> Array:
 def correct_balls(balls: Records, factors: Array) -> None:
     """Write the factors on Hertz's contacts; balls : (n, Z);  factors : (n or 1, 2, 4, Z or 1)"""
     for race, side in enumerate(("inner_factors", "outer_factors")):
-        for place, name in enumerate(FactorNumbers._fields):
+        for place, name in enumerate(ContactFactors._fields):
             balls[side][name] = factors[:, race, place]
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from analytic.contact.factors import CorrectionNumbers, corrected
 from analytic.contact.geometry import rolling_curvature
-from analytic.contact.hertz import HertzNumbers, unit_hertz
+from analytic.contact.hertz import HertzContact, unit_hertz
 from analytic.loads.numbers import BearingNumbers
 from analytic.loads.race_contacts import put_unit, unit_contact_on
 from analytic.loads.turning import TurningRule, ruled_forces
@@ -44,8 +44,8 @@ class ThrustPoint(NamedTuple):
     """The balls of a bearing under thrust, which are alike, and their contacts."""
 
     ball: ThrustedBall
-    inner: HertzNumbers  # under 1 N
-    outer: HertzNumbers
+    inner: HertzContact  # under 1 N
+    outer: HertzContact
     change: float  # that the last round made, of ln(tan b); 0 where the rounds have settled
 
 
@@ -149,14 +149,14 @@ def in_groove(contact_angle: float) -> float:
 @compiled
 def contacts_at(
     bearing: BearingNumbers, inner_angle: float, outer_angle: float, correction: CorrectionNumbers
-) -> tuple[HertzNumbers, HertzNumbers]:
+) -> tuple[HertzContact, HertzContact]:
     """Of both races under 1 N."""
     inner = unit_contact_on(bearing.inner, inner_angle, correction.inner)
     return inner, unit_contact_on(bearing.outer, outer_angle, correction.outer)
 
 
 @compiled
-def first_contacts(bearing: BearingNumbers) -> tuple[HertzNumbers, HertzNumbers]:
+def first_contacts(bearing: BearingNumbers) -> tuple[HertzContact, HertzContact]:
     """Of both races under 1 N by Hertz, at the given angle, else the free one, and 0 where there is none."""
     angle = bearing.free_angle if np.isnan(bearing.given_angle) else bearing.given_angle
     angle = 0.0 if np.isnan(angle) else angle
@@ -170,7 +170,7 @@ def first_contacts(bearing: BearingNumbers) -> tuple[HertzNumbers, HertzNumbers]
 @compiled
 def frozen_point(
     bearing: BearingNumbers,
-    first: tuple[HertzNumbers, HertzNumbers],
+    first: tuple[HertzContact, HertzContact],
     push: float,
     correction: CorrectionNumbers,
     last_step: float,
@@ -195,7 +195,7 @@ def frozen_point(
 @compiled
 def thrust_point(
     bearing: BearingNumbers,
-    first: tuple[HertzNumbers, HertzNumbers],
+    first: tuple[HertzContact, HertzContact],
     axial_load: float,
     rule: TurningRule,
     correction: CorrectionNumbers,

@@ -5,7 +5,7 @@ costs time at every call and multiplies that of compiling.
 """
 
 from functools import cache
-from typing import Any, TypeVar, cast, get_args, get_origin, get_type_hints
+from typing import TYPE_CHECKING, Any, TypeVar, cast, get_args, get_origin, get_type_hints
 
 import numpy as np
 
@@ -13,6 +13,11 @@ import numpy as np
 Record = Any  # one record
 Records = Any  # an array of records
 Numbers = TypeVar("Numbers")
+# A field of a named tuple: a number in compiled formulas and records, and where Python calls also an array of them.
+if TYPE_CHECKING:
+    Real = Any
+else:
+    Real = float
 
 SCALARS = {float: np.float64, int: np.int64, bool: np.bool_}
 

@@ -10,10 +10,10 @@ import numpy as np
 
 from analytic.cage.pocket import pocket_coefficient
 from analytic.cage.steady import DrivingBalls, resting_load, resting_torque
-from analytic.contact.factors import CorrectionNumbers, FactorNumbers
+from analytic.contact.factors import AS_HERTZ, ContactFactors, CorrectionNumbers
 from analytic.contact.finite_geometry_fit import fit_record, geometry_of, shape_on, shoulders_of
 from analytic.contact.geometry import USUAL_SHOULDERS, cut_off_share, distances_to_shoulders
-from analytic.contact.hertz import HertzNumbers, loaded_hertz
+from analytic.contact.hertz import HertzContact, loaded_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.free_ball.kernel import add_law_powers
 from analytic.free_ball.passes import FreeAccuracy, FreeEnd, FreeModel, put_motion, settle_freely
@@ -82,7 +82,6 @@ class Load(NamedTuple):
     speed: float  # w of the inner ring, rad/s, of either sign
 
 
-AS_HERTZ = FactorNumbers(1.0, 1.0, 1.0, np.nan)
 UNCORRECTED = CorrectionNumbers(AS_HERTZ, AS_HERTZ)
 
 
@@ -153,12 +152,12 @@ def begin(model: ModelNumbers, tables: Tables, points: Array, i: int, work: Work
             else:
                 f = given[min(i, given.shape[0] - 1), race]
                 at = min(j, last)
-                put_factors(factors, FactorNumbers(f[0, at], f[1, at], f[2, at], f[3, at]))
+                put_factors(factors, ContactFactors(f[0, at], f[1, at], f[2, at], f[3, at]))
     return Load(points[i, 0], points[i, 1], points[i, 2], points[i, 3])
 
 
 @compiled
-def put_factors(factors: Record, found: FactorNumbers) -> None:
+def put_factors(factors: Record, found: ContactFactors) -> None:
     """Write factors on a contact."""
     factors.semi_axis_rolling, factors.semi_axis_transverse = found.semi_axis_rolling, found.semi_axis_transverse
     factors.approach, factors.peak_pressure = found.approach, found.peak_pressure
@@ -319,7 +318,7 @@ class LoadedContact(NamedTuple):
     """A ball on a race as the kernel sums it up."""
 
     resisted: ResistedContact
-    hertz: HertzNumbers  # under its load
+    hertz: HertzContact  # under its load
     distance: float  # to the nearer shoulder, a low one where it is not known, m; infinite without load
 
 

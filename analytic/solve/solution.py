@@ -30,14 +30,9 @@ class Solution:
         return self.points["spin"] + self.points["conformity"]
 
     @property
-    def race_parts(self) -> Array:
-        """(4, n) of what balls and races lose: spin, conformity, hysteresis and rolling, N m."""
-        return np.stack([self.points[name] for name in ("spin", "conformity", "hysteresis", "rolling")])
-
-    @property
     def race_torque(self) -> Array:
-        """(n,) of all that balls and races lose, N m."""
-        return self.race_parts.sum(axis=0)
+        """(n,) of all that balls and races lose: spin, conformity, hysteresis and rolling, N m."""
+        return np.sum([self.points[name] for name in ("spin", "conformity", "hysteresis", "rolling")], axis=0)
 
     @property
     def sliding_number(self) -> Array:

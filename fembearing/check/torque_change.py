@@ -177,7 +177,7 @@ def _moved(corrections: RaceCorrections, name: str) -> Iterator[ContactCorrectio
     """With one factor of one race moved up by its uncertainty."""
     for race, side in (("inner", corrections.inner), ("outer", corrections.outer)):
         up = getattr(side.factors, name) * (1 + np.nan_to_num(side.uncertainty[name]))
-        yield replace(corrections.correction, **{race: replace(side.factors, **{name: up})})
+        yield replace(corrections.correction, **{race: side.factors._replace(**{name: up})})
 
 
 def _change(after: Array, before: Array) -> Array:

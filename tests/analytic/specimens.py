@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from analytic.contact.geometry import RACES
-from analytic.contact.hertz import HertzContact, HertzNumbers, loaded_contact
+from analytic.contact.hertz import HertzContact, loaded_contact
 from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
 from analytic.effects import Effect
 from analytic.loads.kinematics import ruled_motion
@@ -128,7 +128,7 @@ def hertzian(values: dict[str, Any]) -> tuple[ContactNumbers, dict[str, Any]]:
 def loaded_contacts(balls: Records) -> tuple[HertzContact, HertzContact]:
     """Of both races under the loads of the balls, (...) of `analytic.loads.state.BALL_STATE`."""
     units = (balls["inner_unit"], balls["outer_unit"])
-    each = (HertzContact(**{name: unit[name] for name in HertzNumbers._fields}) for unit in units)
+    each = (HertzContact(**{name: unit[name] for name in HertzContact._fields}) for unit in units)
     inner, outer = (loaded_contact(unit, load=balls["load"][..., side]) for side, unit in enumerate(each))
     return inner, outer
 

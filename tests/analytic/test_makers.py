@@ -18,7 +18,7 @@ from analytic.makers import (
     palmgren_inclined_torque,
     palmgren_torque,
     scene_band,
-    skf_torque,
+    skf_parts,
 )
 from analytic.scene import Bearing, Operation, Scene
 from analytic.scene_torque import torque_of_scene
@@ -47,7 +47,7 @@ def case_of(changed: dict[str, Any]) -> tuple[CatalogueCase, dict[str, Any]]:
 
 def skf(**changed: object) -> np.ndarray:
     case, rest = case_of({"lubrication": "oil_bath"} | changed)
-    return skf_torque(case, **rest)
+    return np.add(*skf_parts(case, **rest))
 
 
 def palmgren(**changed: object) -> np.ndarray:

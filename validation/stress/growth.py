@@ -26,7 +26,7 @@ from analytic.scenefile.template import scene_text as template
 from analytic.standing import worst_standing
 from fembearing.check.creep.scene_creep import creep_of
 from fembearing.check.film.scene_film import film_of
-from fembearing.report.files import compared_files, duty_files, write_all, write_creep
+from fembearing.report.files import compared_files, duty_files, film_files, write_all, write_creep
 from validation.stress.damage import CYCLE, MEASURED
 from validation.stress.tab import tab
 

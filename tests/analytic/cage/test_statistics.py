@@ -68,9 +68,7 @@ def test_statistics_are_those_of_the_blocks() -> None:
     np.testing.assert_allclose(
         statistics.torque, lost["slip_power"] + lost["land_power"] + lost["drag_power"], rtol=1e-12
     )
-    np.testing.assert_allclose(
-        [statistics.damping_torque, statistics.drag_torque], [lost["damping_power"], lost["drag_power"]]
-    )
+    np.testing.assert_allclose(statistics.damping_torque, lost["damping_power"])
     np.testing.assert_allclose(statistics.signed_moment, np.mean([block.moment for block in blocks]), rtol=1e-12)
     largest = sorted(block.max_force for block in blocks)
     np.testing.assert_allclose(statistics.max_force, (largest[9] + largest[10]) / 2, rtol=1e-12)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from analytic.contact.factors import ContactFactors, FactorNumbers, corrected, factor_fields
+from analytic.contact.factors import ContactFactors, corrected
 from analytic.contact.finite_geometry import contact_shape, finite_geometry_factors
 from analytic.contact.finite_geometry_fit import SMALL, ContactShape, stored_fit
 from analytic.contact.hertz import loaded_hertz, unit_hertz
@@ -146,10 +146,7 @@ def test_a_contact_near_its_shoulder_is_held() -> None:
 def test_a_correction_brings_its_own_peak_pressure() -> None:
     hertz = loaded_hertz(unit_hertz(300.0, 11.0, 1.1e11), 210.0)
     plain = ContactFactors(semi_axis_rolling=1.03, semi_axis_transverse=0.96)
-    own, filled = (
-        corrected(hertz, FactorNumbers(*map(float, factor_fields(factors))))
-        for factors in (replace(plain, peak_pressure=1.02), plain)
-    )
+    own, filled = (corrected(hertz, factors) for factors in (plain._replace(peak_pressure=1.02), plain))
     assert own.peak_pressure == pytest.approx(1.02 * hertz.peak_pressure, rel=1e-14)
     volume = 2 / 3 * np.pi * filled.peak_pressure * filled.semi_axis_x * filled.semi_axis_y
     assert volume == pytest.approx(210.0, rel=1e-13)  # round-off

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq, root
 
-from analytic.contact.factors import FactorNumbers
+from analytic.contact.factors import AS_HERTZ
 from analytic.free_ball import kernel, turning
 from analytic.free_ball.rotation import free_quadratures
 from analytic.free_ball.state import scratch
@@ -19,7 +19,6 @@ from tests.analytic.free_ball.specimens import FINE, angular_contact, under_thru
 from tests.analytic.specimens import BEARING_6205, loaded_contacts
 
 RACES = (-1.0, 1.0)  # which way the contact's normal points out of the ball, radially
-AS_HERTZ = FactorNumbers(1.0, 1.0, 1.0, np.nan)
 
 
 @pytest.mark.parametrize(

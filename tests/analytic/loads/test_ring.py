@@ -80,7 +80,7 @@ def test_pure_thrust_is_the_closed_form(bearing_6205: Bearing, clearance: float)
         expected = thrust[name][:, None] * everywhere[:, None]
         np.testing.assert_allclose(ring.balls[name], expected, rtol=tight)
     for of_ring, alike in zip(loaded_contacts(ring.balls), loaded_contacts(thrust), strict=True):
-        for field, values in vars(alike).items():
+        for field, values in alike._asdict().items():
             np.testing.assert_allclose(getattr(of_ring, field), np.outer(values, everywhere), rtol=tight)
     mirrored = ring_equilibrium(bearing, SOLVED, axial_load=-loads)
     np.testing.assert_allclose(

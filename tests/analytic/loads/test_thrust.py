@@ -181,7 +181,7 @@ def test_balls_at_speed_are_those_of_the_ring(
     factors = ContactFactors(approach=np.array([0.93, 0.97, 1.02, 1.01]), semi_axis_rolling=1.03)
     loaded: dict[str, Any] = {"axial_load": load, "inner_speed": speed, "inertia": Inertia(centrifugal, gyroscopic)}
     balls = thrust_equilibrium(bearing_6205, rule, **loaded, correction=ContactCorrection(outer=factors))
-    each = replace(factors, approach=np.repeat(np.asarray(factors.approach)[:, None], bearing_6205.ball_count, axis=1))
+    each = factors._replace(approach=np.repeat(np.asarray(factors.approach)[:, None], bearing_6205.ball_count, axis=1))
     ring = ring_equilibrium(bearing_6205, rule, **loaded, correction=ContactCorrection(outer=each))
     for name in ("load", "angle"):
         # The ring stops at 1e-11 of its forces, some of which are hundreds of the light ball's.

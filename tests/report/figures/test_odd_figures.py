@@ -10,7 +10,6 @@ from matplotlib.axes import Axes
 
 from analytic.errors import InputError
 from analytic.figures.torque import MOST_NAMES, DrawnTorque, torque_figure
-from analytic.loads.ring_state import Balls
 from analytic.units import METRIC
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.report.figures.contacts import approach_plot, convergence_plot, pressure_plot
@@ -132,10 +131,10 @@ def test_at_most_so_many_bars_are_named() -> None:
 def balls(angles: list[float | None], **point: Any) -> Any:
     """A document of three balls, the second without a load on the inner race."""
     found = {"azimuth": (0.3, 1.7, 3.9), "inner_load": (210.0, 0.0, 95.0), "outer_load": (212.0, 1.5, 97.0)}
-    row = SimpleNamespace(balls=Balls(**found, inner_angle=tuple(angles), outer_angle=tuple(angles)))
+    row = {"balls": found | {"inner_angle": angles, "outer_angle": angles}}
     one = {"inner_speed": 31.0, "axial_load": 100.0, "radial_load": 200.0, "moment": 0.0}
     loads = {"inner_speed": 1260.0, "axial_load": 1450.0, "radial_load": -2350.0, "moment": 0.75}
-    friction = SimpleNamespace(ring=SimpleNamespace(row=lambda _: row))
+    friction = SimpleNamespace(ring=SimpleNamespace(rows=[row, row]))
     solved = SimpleNamespace(points=[one, one | loads | point], friction=friction)
     return SimpleNamespace(solved=solved, units=METRIC)
 
