@@ -3,21 +3,23 @@
 CSV, JSON, datasets, data frames and tables read it.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from analytic.labelled import Column
+from analytic.labelled import Column, Labelled, html_table
 from analytic.scene import Array
 from analytic.units import GIGA, MICRO, MILLI, STIFFNESS
-from analytic.words import NEWTON, PERCENT
+from analytic.words import NEWTON, PERCENT, rounded
 
 # The numbers of one operating point by their names, SI; None: left out, not modelled or not known
 Point = Mapping[str, Any]
 # SI unit -> size below which a number is what rounding leaves of 0.
 ROUNDING = {"N m": 1e-15, "rad": 1e-12, "m": 1e-15}
+NOTEBOOK = ("inner_speed", "axial_load", "radial_load", "moment", "torque_", "uncertainty_numerical", "interval_")
+MOST_ROWS = 12  # of a table in a notebook
 OF_MODEL = "uncertainty_model_"  # how the names of the parts of the model's uncertainty begin
 MODEL_PARTS = {  # of the uncertainty by the formulas: what is varied
     "film": "film formula",
@@ -231,3 +233,23 @@ def without_residue(name: str, values: Array) -> Array:
     """The numbers of a column with 0 in place of what rounding leaves of it, as a spin torque of 1e-33 N m."""
     least = ROUNDING.get((COLUMNS)[name].unit, 0.0)
     return np.where(np.abs(values) < least, 0.0, values)
+
+
+def points_table(columns: Mapping[str, Labelled], *, caption: str, notes: Sequence[str]) -> str:
+    """An HTML table of operating points for a notebook, metric, with sentences below it.
+
+    It has the columns of NOTEBOOK that are not 0 or unknown at every point.
+    """
+    kept = {
+        name: (each.column.shown(), np.asarray(each.values, dtype=float))
+        for name, each in columns.items()
+        if name.startswith(NOTEBOOK) and np.nan_to_num(each.values).any()
+    }
+    heads = [f"{name.removeprefix('torque_').replace('_', ' ')}, {unit.name}" for name, (unit, _) in kept.items()]
+    size = len(next(iter(kept.values()), ((), ()))[1])
+    rows = [
+        ["" if np.isnan(values[row]) else rounded(unit.number(values[row]), 4) for unit, values in kept.values()]
+        for row in range(min(size, MOST_ROWS))
+    ]
+    more = [f"{size - MOST_ROWS} more points."] if size > MOST_ROWS else []
+    return html_table(heads, rows, caption, [*more, *notes])

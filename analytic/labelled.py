@@ -83,14 +83,16 @@ def frame_of(columns: Mapping[str, Labelled], dimension: str) -> Any:
     return frame
 
 
-def html_table(head: Sequence[str], rows: Sequence[Sequence[str]], caption: str) -> str:
-    """Rows of text as an HTML table."""
+def html_table(head: Sequence[str], rows: Sequence[Sequence[str]], caption: str, notes: Sequence[str] = ()) -> str:
+    """Rows of text as an HTML table;  notes : sentences below it"""
 
     def row(cells: Sequence[str], tag: str) -> str:
         return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
 
     body = "".join(row(cells, "td") for cells in rows)
-    return f"<table><caption>{escape(caption)}</caption><thead>{row(head, 'th')}</thead><tbody>{body}</tbody></table>"
+    below = "".join(f"<p>{escape(note)}</p>" for note in notes)
+    heads = f"<caption>{escape(caption)}</caption><thead>{row(head, 'th')}</thead>"
+    return f"<table>{heads}<tbody>{body}</tbody></table>{below}"
 
 
 def _is_empty(values: ArrayLike) -> bool:

@@ -10,23 +10,22 @@ from numpy.typing import NDArray
 
 from analytic.brief import Brief, points_of, span
 from analytic.cage.torque import CagePart
-from analytic.columns import COLUMNS, COORDINATES, MODEL_PARTS, OF_MODEL, Point, rows_of, without_residue
+from analytic.columns import COLUMNS, COORDINATES, MODEL_PARTS, OF_MODEL, Point, points_table, rows_of, without_residue
 from analytic.effects import Effects
 from analytic.errors import FembearingError, InputError
-from analytic.labelled import Labelled, dataset_of, frame_of, html_table
+from analytic.labelled import Labelled, dataset_of, frame_of
 from analytic.left_out import Places
 from analytic.limits import LimitNumbers
 from analytic.loads.pair import PairEquilibrium
 from analytic.loads.ring_state import RingState
 from analytic.scene import ArrangementKind, Array, Clearances, Sliding
 from analytic.units import METRIC
-from analytic.words import NEWTON_MILLIMETRE, RPM
+from analytic.words import NEWTON_MILLIMETRE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 POINT = "point"  # the dimension of a dataset
-MOST_ROWS = 12  # of the table in a notebook
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -353,36 +352,9 @@ class FrictionTorque(Brief):
         return torque_figure(DrawnTorque(columns=given | self.columns(), makers={}, title=title, units=METRIC))
 
     def _repr_html_(self) -> str:
-        """A table for a notebook: a row for each operating point, the torque in N mm by effect."""
-        parts = {name: part for name, part in vars(self.torque).items() if part is not None}
-        sideways = {
-            f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}": values
-            for name in ("radial_load", "moment")
-            if np.any(values := getattr(self, name))
-        }
-        axial = COORDINATES["axial_load"]
-        head = [
-            f"speed, {RPM.name}",
-            f"{axial.meaning}, {axial.unit}",
-            *sideways,
-            *(f"{name}, {NEWTON_MILLIMETRE.name}" for name in parts),
-            "uncertainty, %",
-        ]
-        shown = min(self.inner_speed.size, MOST_ROWS)
-        rows = [
-            [
-                f"{self.inner_speed[i] * RPM.factor:.4g}",
-                f"{self.axial_load[i]:.4g}",
-                *(f"{values[i]:.4g}" for values in sideways.values()),
-                *(f"{part[i] * NEWTON_MILLIMETRE.factor:.4g}" for part in parts.values()),
-                f"{100 * self.numerical_uncertainty[i]:.2g}"
-                if np.isfinite(self.numerical_uncertainty[i])
-                else "unknown",
-            ]
-            for i in range(shown)
-        ]
-        more = self.inner_speed.size - shown
-        return html_table(head, rows, f"friction torque, {more} more points" if more else "friction torque")
+        """A table for a notebook: a row for each operating point, the torque by effect, and the warnings below."""
+        given, computed = self._labelled()
+        return points_table(given | computed, caption="friction torque", notes=self.warnings)
 
 
 def _each(value: Any, change: Callable[[NDArray[Any]], NDArray[Any]]) -> Any:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
-from analytic.columns import COLUMNS, COORDINATES, Point, rows_of
+from analytic.columns import COLUMNS, COORDINATES, Point, points_table, rows_of
 from analytic.errors import FembearingError, InputError
 from analytic.given import SceneOptions
 from analytic.labelled import Labelled, dataset_of, frame_of
@@ -153,6 +153,11 @@ class SceneTorque(Brief):
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame with the columns of `to_dataset`: a row for each operating point, SI."""
         return frame_of(self.columns(), POINT)
+
+    def _repr_html_(self) -> str:
+        """A table for a notebook, with the 95 % interval, how far to trust the torque, and the warnings below."""
+        notes = [f"{self.standing.word}: {self.standing.reason}", *self.friction.warnings]
+        return points_table(self.columns(), caption=f"friction torque of {self.scene.name}", notes=notes)
 
     @property
     def drawn(self) -> "DrawnTorque":
