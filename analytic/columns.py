@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from analytic.labelled import Column
 from analytic.scene import Array
+from analytic.units import GIGA, MICRO, MILLI, STIFFNESS
+from analytic.words import NEWTON, PERCENT
 
 # The numbers of one operating point by their names, SI; None: left out, not modelled or not known
 Point = Mapping[str, Any]
@@ -49,34 +51,59 @@ OF_TORQUE: dict[str, Column] = {
     "torque_cage": Column("N m", "part of the friction torque by the cage"),
     "torque_oil": Column("N m", "part of the friction torque by oil that flows through, is sheared and stirred"),
     "torque_declared": Column("N m", "part of the friction torque that the scene declares for seals and drag"),
-    "uncertainty_numerical": Column("1", "numerical uncertainty of the friction torque, relative"),
-    "uncertainty_model": Column("1", "uncertainty of the friction torque by the model's formulas, relative, 95 %"),
+    "uncertainty_numerical": Column("1", "numerical uncertainty of the friction torque, relative", metric=PERCENT),
+    "uncertainty_model": Column(
+        "1", "uncertainty of the friction torque by the model's formulas, relative, 95 %", metric=PERCENT
+    ),
     "contact_angle": Column("rad", "contact angle of the heaviest ball", "al"),
     "ball_load": Column("N", "load of the heaviest ball on the race where it is larger", "Q"),
     "tilt": Column("rad", "tilt of the inner ring about y under unequal loads"),
     "holding_moment": Column("N m", "moment about y that holds the inner ring at its tilt"),
     **{
-        f"{name}_{race}": Column(unit, f"{meaning}, {race} race", symbol)
-        for name, unit, meaning, symbol in (
-            ("friction_coefficient", "1", "friction coefficient", "mu"),
-            ("film", "m", "mean gap that the oil fills", "h"),
-            ("asperity_share", "1", "share of the load on asperities", "s"),
-            ("boundary_share", "1", "share of the load with boundary friction", "s_b"),
-            ("load", "N", "load of the heaviest ball", "Q"),
-            ("semi_axis_rolling", "m", "semi-axis of the contact along rolling", "a"),
-            ("semi_axis_transverse", "m", "transverse semi-axis of the contact", "b"),
-            ("peak_pressure", "Pa", "peak pressure", "p0"),
-            ("approach", "m", "approach of ball and race", "delta"),
+        f"{name}_{race}": Column(unit, f"{meaning}, {race} race", symbol, metric=metric)
+        for name, unit, meaning, symbol, metric in (
+            ("friction_coefficient", "1", "friction coefficient", "mu", None),
+            ("film", "m", "mean gap that the oil fills", "h", MICRO),
+            ("asperity_share", "1", "share of the load on asperities", "s", PERCENT),
+            ("boundary_share", "1", "share of the load with boundary friction", "s_b", PERCENT),
+            ("load", "N", "load of the heaviest ball", "Q", NEWTON),
+            ("semi_axis_rolling", "m", "semi-axis of the contact along rolling", "a", MILLI),
+            ("semi_axis_transverse", "m", "transverse semi-axis of the contact", "b", MILLI),
+            ("peak_pressure", "Pa", "peak pressure", "p0", GIGA),
+            ("approach", "m", "approach of ball and race", "delta", MICRO),
         )
         for race in ("inner", "outer")
     },
     "friction_coefficient_pocket": Column("1", "friction coefficient of ball on cage pocket", "mu"),
 }
+CONTACT: dict[str, Column] = {  # of a contact that is compared, in the order in which they are shown
+    "approach": Column("m", "approach", "delta", metric=MICRO),
+    "semi_axis_rolling": Column("m", "semi-axis along rolling", "a", "semi-axis a", MILLI),
+    "semi_axis_transverse": Column("m", "transverse semi-axis", "b", "semi-axis b", MILLI),
+    "peak_pressure": Column("Pa", "peak pressure", "p0", metric=GIGA),
+    "stiffness": Column("N/m^1.5", "stiffness (load over approach^1.5)", "K", "stiffness", STIFFNESS),
+}
+STRESSES: dict[str, Column] = {  # under the centre of a contact
+    "max_shear": Column("Pa", "greatest shear stress", short="shear", metric=GIGA),
+    "max_shear_depth": Column("m", "depth of the greatest shear stress", short="its depth", metric=MICRO),
+    "max_von_mises": Column("Pa", "greatest von Mises stress", short="von Mises", metric=GIGA),
+    "max_von_mises_depth": Column("m", "depth of the greatest von Mises stress", short="its depth", metric=MICRO),
+}
 # All numbers that are shown.
 COLUMNS: dict[str, Column] = {
+    **COORDINATES,
+    **CONTACT,
+    **STRESSES,
+    "film": Column("m", "film thickness between the mean planes", "h", "film", MICRO),
+    "load": Column("N", "load of the ball", "Q"),
+    "viscosity": Column("Pa s", "viscosity"),
+    "rms_roughness": Column("m", "rms roughness", "Sq", metric=MICRO),
+    "conformity": Column("1", "conformity, groove radius over ball diameter"),
     **OF_TORQUE,
     **{
-        f"{OF_MODEL}{name}": Column("1", f"part of the uncertainty by the model's formulas: {words}, relative, 95 %")
+        f"{OF_MODEL}{name}": Column(
+            "1", f"part of the uncertainty by the model's formulas: {words}, relative, 95 %", metric=PERCENT
+        )
         for name, words in MODEL_PARTS.items()
     },
     "interval_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
@@ -150,6 +177,24 @@ OF_RING: dict[str, Column] = {
 }
 
 
+VERDICT = "verdict"  # a column of words beside those of numbers
+CONTACT_COLUMNS: dict[str, Column] = {  # of a solved contact
+    "load": COLUMNS["load"],
+    "contact_angle": Column("rad", "contact angle"),
+    **{
+        f"{prefix}{name}": Column(unit or each.unit, words.format(each.meaning))
+        for prefix, unit, words in (
+            ("", "", "{}, finite elements"),
+            ("uncertainty_", "1", "numerical uncertainty of the {}, relative, 95 %"),
+            ("hertz_", "", "{}, Hertz"),
+            ("discrepancy_", "1", "discrepancy of Hertz's {}, over finite elements minus one"),
+        )
+        for name, each in CONTACT.items()
+    },
+    "unknowns": Column("1", "unknowns of the finest mesh"),
+}
+
+
 def rows_of(columns: Mapping[str, ArrayLike]) -> tuple[Point, ...]:
     """The rows of columns. None: a number that is not finite, or a group without any that is.
 
@@ -184,5 +229,5 @@ def _is_known(value: Any) -> bool:
 
 def without_residue(name: str, values: Array) -> Array:
     """The numbers of a column with 0 in place of what rounding leaves of it, as a spin torque of 1e-33 N m."""
-    least = ROUNDING.get((COORDINATES | COLUMNS)[name].unit, 0.0)
+    least = ROUNDING.get((COLUMNS)[name].unit, 0.0)
     return np.where(np.abs(values) < least, 0.0, values)

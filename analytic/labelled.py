@@ -8,14 +8,31 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import require_packages
+from analytic.units import METRIC, Units, unit_for
+from analytic.words import Unit
 
 
 class Column(NamedTuple):
-    """What the numbers of a column are."""
+    """What the numbers of a column are, and how they are shown."""
 
     unit: str  # SI; "1" of a pure number
     meaning: str
     symbol: str = ""
+    short: str = ""  # a name for tables and figures; empty: the meaning
+    metric: Unit | None = None  # that is shown, whatever the size; None: the usual one of the SI unit
+
+    @property
+    def name(self) -> str:
+        """As it stands over a column."""
+        return self.short or self.meaning
+
+    def shown(self, units: Units = METRIC) -> Unit:
+        """The unit in which a system shows it."""
+        return units.instead_of(self.metric or unit_for(self.unit, 0.0))
+
+    def heading(self, units: Units = METRIC) -> str:
+        """Name and shown unit."""
+        return f"{self.name}, {self.shown(units).name}"
 
 
 class Labelled(NamedTuple):

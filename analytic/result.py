@@ -315,7 +315,11 @@ class FrictionTorque(Brief):
         known = self.columns()
         return (
             {name: Labelled((POINT,), known[name], column) for name, column in COORDINATES.items()},
-            {name: Labelled((POINT,), known[name], column) for name, column in COLUMNS.items() if name in known},
+            {
+                name: Labelled((POINT,), known[name], column)
+                for name, column in COLUMNS.items()
+                if name in known and name not in COORDINATES
+            },
         )
 
     def attributes(self) -> dict[str, str]:

@@ -20,6 +20,7 @@ from analytic.words import (
 GIGA, MILLI, MICRO = GIGAPASCAL, MILLIMETRE, MICROMETRE
 STIFFNESS = Unit("GN/m^1.5", 1e-9)
 TANGENT = Unit("N/um", 1e-6)
+MILLISECOND = Unit("ms", 1e3)
 LINE_LOAD = Unit("N/mm", 1e-3)
 MEGAPASCAL = Unit("MPa", 1e-6)
 PER_PRESSURE = Unit("1/GPa", 1e9)

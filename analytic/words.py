@@ -98,3 +98,8 @@ def shown(value: object) -> str:
 def plain(text: str) -> str:
     """The text itself; quoted if it is long or not printable."""
     return text if text.isprintable() and len(text) <= 200 else shown(text)
+
+
+def about(seconds: float) -> str:
+    """A duration in words: one digit, in seconds or minutes."""
+    return f"about {round(seconds / 60):d} min" if seconds >= 90 else f"about {float(f'{seconds:.1g}'):g} s"

@@ -25,7 +25,6 @@ SHARE_CHECKED = (  # files and folders of tests that use `checked` or `cut_conta
     "tests/report/",
     "tests/fem/test_shoulder.py",
     "tests/test_brief.py",
-    "tests/check/contact/test_sheet.py",
     "tests/check/contact/test_solution.py",
     "tests/check/test_validation.py",
 )

@@ -5,14 +5,13 @@ from collections.abc import Mapping
 from dataclasses import is_dataclass
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
 
-from analytic.columns import COLUMNS, COORDINATES, OF_CAGE, OF_MOTION, OF_RING
+from analytic.columns import COLUMNS, OF_CAGE, OF_MOTION, OF_RING
 from analytic.labelled import Column
 from analytic.prediction.duty import DutyCycle
 from docs.extensions.annotations import with_parts
 from docs.extensions.source import field_comments
 from docs.extensions.tables import code, table
 from fembearing.plain_types import written_fields
-from fembearing.quantities import QUANTITIES
 from fembearing.report.report import Report
 
 HEAD = """\
@@ -48,7 +47,7 @@ def columns() -> str:
     about = "Of an operating point, a step or a measured torque; CSV, datasets and data frames have the same names."
     group = "`group/name` is the key `name` in the table `group`."
     parts = (
-        ("Columns", about, COORDINATES | COLUMNS),
+        ("Columns", about, COLUMNS),
         (
             "Columns of the cage",
             f"{group} From `torque` on only in the `cage_motion` of a report.",
@@ -91,7 +90,7 @@ def section(of: type, headings: dict[type, str]) -> str:
     comments = {name: said for each in above for name, said in field_comments(each).items()}
     rows = []
     for name, kind in keys_of(of).items():
-        quantity = QUANTITIES.get(name) if float in with_parts(kind) else None
+        quantity = COLUMNS.get(name) if float in with_parts(kind) else None
         unit, meaning = ("", "") if quantity is None else (quantity.unit, quantity.meaning)
         note = comments.get(name) or meaning
         rows.append([code(name), holds(kind, headings), unit, note.replace("None", "`null`")])

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.columns import COORDINATES, Point
+from analytic.columns import COLUMNS, COORDINATES, Point
 from analytic.figures.series_axis import axis_of
 from analytic.figures.style import BLUE, GREY, RED
 from analytic.figures.torque import PARTS
@@ -14,7 +14,7 @@ from analytic.result import FrictionTorque
 from analytic.rows import Two
 from analytic.scene import Contact
 from analytic.scene_torque import SceneTorque
-from fembearing.quantities import QUANTITIES, Units
+from analytic.units import Units
 from fembearing.report.sections.torque import RESIDUE
 
 Options = dict[str, Any]
@@ -88,7 +88,7 @@ def curve_options(results: Sequence[SceneTorque], units: Units, *, marked: float
         at = {"xAxis": units.speed.number(abs(marked)), "label": {"show": False}}
         line["markLine"] = {"symbol": "none", "silent": True, "lineStyle": {"color": NEUTRAL}, "data": [at]}
     shades = [{"name": each["name"], "icon": "rect"} for each in series if "areaStyle" in each]
-    heading = QUANTITIES["torque"].in_units(units).heading
+    heading = COLUMNS["torque"].heading(units)
     return {
         "animation": False,
         "grid": {**INSIDE, "top": 36, "bottom": 58},

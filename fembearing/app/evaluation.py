@@ -14,11 +14,11 @@ from analytic.columns import Point
 from analytic.errors import FembearingError
 from analytic.scene import Array, Contact, Scene
 from analytic.scene_torque import with_interval
+from analytic.units import SYSTEMS, Units
 from analytic.words import pressure_of
 from fembearing import SceneTorque, draw_bearing, torque_content, torque_headline, torque_of_scene
 from fembearing.app.scene_edit import ORIGIN
 from fembearing.check.contact.scene_contact import contact_of
-from fembearing.quantities import SYSTEMS, Units
 from fembearing.report.sections.points import point_name
 
 SPEEDS = np.array([0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0])  # of the curve, over the scene's own

@@ -13,8 +13,8 @@ from analytic.scenefile.keys import scene_key, with_key
 from analytic.scenefile.setting import read_setting
 from analytic.scenefile.template import COLUMN
 from analytic.scenefile.text import parse_text
+from analytic.units import METRIC
 from analytic.words import NEWTON, RPM, Unit
-from fembearing.quantities import METRIC
 
 ORIGIN = "scene"  # names the text in messages
 CATALOG = "bearing.catalog"

@@ -20,9 +20,9 @@ from analytic.prediction.spreads import UncertainInput, uncertain_inputs
 from analytic.rows import OperatingPoint
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
+from analytic.units import unit_for
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.scene_contact import bearings_of, heaviest_contact
-from fembearing.quantities import unit_for
 
 SAME = 1e-9  # relative: torques at two points that differ by less are one
 END = NormalDist().inv_cdf(0.975)  # standard deviations from the value to an end of its 95 % range

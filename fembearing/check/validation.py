@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from analytic.brief import Brief
+from analytic.columns import CONTACT_COLUMNS, VERDICT
 from analytic.contact.geometry import RACES as RACE_NAMES
 from analytic.contact.geometry import Race
 from analytic.errors import FembearingError, InputError
@@ -36,7 +37,6 @@ from fembearing.check.sensitivity import Sensitivity, sensitivity_of
 from fembearing.check.torque_change import TorqueChange, change_of_torque
 from fembearing.mesh.recipe import Geometry
 from fembearing.provenance import Provenance, provenance_of
-from fembearing.quantities import CONTACT_COLUMNS, VERDICT
 
 # Contacts with the seconds that they took on one machine, for the progress alone.
 RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))

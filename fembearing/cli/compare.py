@@ -33,10 +33,10 @@ def compare(
     measured torque lies in its 95 % interval; 1: at least one lies outside; 2: input error.
     """
     require_scene_first("compare", scene, data)
+    from analytic.units import SYSTEMS
     from fembearing.check.measured.comparison import compare_measured
     from fembearing.cli.console import out, print_json, tell_assumed
     from fembearing.plain_types import document
-    from fembearing.quantities import SYSTEMS
     from fembearing.report.files import compared_files, write_all
     from fembearing.report.sections.measured import measured_sections
     from fembearing.report.terminal import print_sections

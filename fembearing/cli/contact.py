@@ -117,11 +117,11 @@ def _show_contact(
     as_json: bool,
 ) -> dict[str, float]:
     """The relative uncertainties of the quantities that are to be known to the accuracy, by their names."""
+    from analytic.units import SYSTEMS
     from fembearing.check.contact.refinement import COMPARED
     from fembearing.check.contact.solution import SHOWN_OF_A_SHEET
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
-    from fembearing.quantities import SYSTEMS
     from fembearing.report.sections.contacts import contact_sections
     from fembearing.report.terminal import print_sections
 
@@ -135,9 +135,9 @@ def _show_contact(
 
 
 def _show_series(result: "LoadSeries", read: "Scene", talk: Talk, *, as_json: bool) -> dict[str, float]:
+    from analytic.units import SYSTEMS
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
-    from fembearing.quantities import SYSTEMS
     from fembearing.report.sections.contacts import series_sections
     from fembearing.report.terminal import print_sections
 

@@ -49,10 +49,10 @@ def creep(
     read = given.scene(scene)
     limit = read_tolerance(tolerance, read)
     coefficient = None if friction is None else read_option("--friction", friction, "friction.coefficient")
+    from analytic.units import SYSTEMS
     from fembearing.check.creep.scene_creep import creep_of
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
-    from fembearing.quantities import SYSTEMS
     from fembearing.report.document import Section
     from fembearing.report.files import write_creep
     from fembearing.report.sections.creep import creep_table

@@ -32,10 +32,10 @@ def film(
     """
     read = given.scene(scene)
     limit = read_tolerance(tolerance, read)
+    from analytic.units import SYSTEMS
     from fembearing.check.film.scene_film import film_of
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
-    from fembearing.quantities import SYSTEMS
     from fembearing.report.document import Section
     from fembearing.report.files import film_files, write_all
     from fembearing.report.sections.film import film_table

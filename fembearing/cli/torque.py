@@ -130,8 +130,8 @@ def _named(name: str | None) -> Iterator[None]:
 
 
 def _print(results: "Mapping[str, SceneTorque]", talk: Talk, *, details: bool) -> None:
+    from analytic.units import SYSTEMS
     from fembearing.cli.console import out, tell_assumed
-    from fembearing.quantities import SYSTEMS
     from fembearing.report.document import Section
     from fembearing.report.sections.headline import headline_section, side_by_side
     from fembearing.report.sections.torque import torque_sections

@@ -13,8 +13,8 @@ from analytic.scene import Array, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.setting import as_plain, read_setting
+from analytic.units import METRIC
 from analytic.words import NEWTON, RPM, Unit, plain, shown
-from fembearing.quantities import METRIC
 
 Axes = Mapping[str, Array]  # by the names of OPTIONS, in their order; each ascending, SI
 OPTIONS = ("speed", "axial_load", "radial_load", "temperature")

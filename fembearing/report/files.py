@@ -9,6 +9,7 @@ from analytic.columns import COLUMNS, COORDINATES
 from analytic.prediction.duty import DutyCycle
 from analytic.scene import Scene
 from analytic.standing import WorstStanding
+from analytic.units import SYSTEMS, unit_for
 from analytic.writing import write
 from fembearing.check.cost.scene_cost import Cost
 from fembearing.check.creep.scene_creep import SceneCreep
@@ -17,7 +18,6 @@ from fembearing.check.measured.comparison import ROW, MeasuredComparison
 from fembearing.csv_text import csv_of_columns
 from fembearing.plain_types import json_of
 from fembearing.provenance import provenance_of
-from fembearing.quantities import SYSTEMS, unit_for
 
 OF_STEP = ("duration", *COORDINATES, "temperature", "torque", "torque_low", "torque_high", "power", "energy")
 
@@ -59,7 +59,7 @@ def duty_files(cycle: DutyCycle, standing: WorstStanding, scene: Scene) -> dict[
     from fembearing.report.figures.duty import duty_figure
     from fembearing.report.figures.style import png, svg
 
-    figure, known = duty_figure(cycle, SYSTEMS[scene.report.units]), COORDINATES | COLUMNS
+    figure, known = duty_figure(cycle, SYSTEMS[scene.report.units]), COLUMNS
     rows = [
         vars(step) | {"torque": step.torque.value, "torque_low": step.torque.low, "torque_high": step.torque.high}
         for step in cycle.steps

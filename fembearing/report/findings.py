@@ -6,6 +6,7 @@ from typing import Literal
 
 import numpy as np
 
+from analytic.columns import CONTACT
 from analytic.rows import NotNegative
 from analytic.words import PERCENT, percent_of
 from fembearing.check.comparison import ShownVerdict, worst
@@ -14,7 +15,6 @@ from fembearing.check.contact.solution import ContactNumbers
 from fembearing.check.creep.scene_creep import CreepNumbers
 from fembearing.check.film.scene_film import JUDGED, FilmNumbers
 from fembearing.check.torque_change import TorqueChange
-from fembearing.quantities import CONTACT
 
 OFF = {  # what is compared with a reference
     "contacts": "contacts: Hertz",

@@ -11,6 +11,7 @@ from analytic.columns import Point
 from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Array, Pair, ReportDetails, Scene
 from analytic.scene_torque import SceneTorque
+from analytic.units import SYSTEMS, Units
 from analytic.verdicts import Compared, PhysicalCheck, Summary, Verdict
 from fembearing.check.cage_record import DrawnMotion
 from fembearing.check.comparison import ShownVerdict
@@ -26,7 +27,6 @@ from fembearing.check.torque_change import OF_RACES, TorqueChange
 from fembearing.check.validation import Validation
 from fembearing.plain_types import UNWRITTEN
 from fembearing.provenance import Provenance
-from fembearing.quantities import SYSTEMS, Units
 from fembearing.report.findings import Finding, findings_of
 from fembearing.report.torque import TorqueContent, cage_motion
 from fembearing.report.torque import content_of as torque_content

@@ -6,14 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from analytic.columns import COLUMNS, COORDINATES
+from analytic.columns import COLUMNS
 from analytic.errors import InputError, require_packages
 from analytic.scene import Array
 from analytic.scene_torque import SceneTorque
 from fembearing.csv_text import csv_of_columns
 from fembearing.plain_types import json_of
 from fembearing.provenance import provenance_of
-from fembearing.quantities import shown_unit
 from fembearing.report.document import Bullets, Section
 from fembearing.report.torque import content_of
 
@@ -145,12 +144,8 @@ def csv_of(results: Mapping[str, SceneTorque]) -> str:
             if np.isfinite(found).any():  # an uncertainty that is not known is infinite
                 known.setdefault(name, [np.full(size, np.nan) for size in sizes.values()])
                 known[name][list(results).index(scene)] = np.where(np.isfinite(found), found, np.nan)
-    shown = COORDINATES | COLUMNS
-    columns = {
-        name: (shown_unit(name, column.unit), np.concatenate(known[name]))
-        for name, column in shown.items()
-        if name in known
-    }
+    shown = COLUMNS
+    columns = {name: (column.shown(), np.concatenate(known[name])) for name, column in shown.items() if name in known}
     first = {"scene": [name for name, size in sizes.items() for _ in range(size)]} if len(results) > 1 else {}
     points = [number for size in sizes.values() for number in range(1, size + 1)]
     bearings = [result.scene.bearing.name for result in results.values() for _ in result.points]

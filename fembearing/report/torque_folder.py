@@ -15,8 +15,8 @@ from analytic.errors import MissingPackageError, require_packages
 from analytic.progress import Progress, part_of, silent
 from analytic.scene import Scene
 from analytic.scene_torque import Samples, SceneTorque, torque_of_scene
+from analytic.units import METRIC
 from analytic.writing import being_written, new_file, new_folder, require_utf8, write
-from fembearing.quantities import METRIC
 from fembearing.report.torque_file import figure_file, numbers_file, table_file, vector_file, writer_of
 
 if TYPE_CHECKING:

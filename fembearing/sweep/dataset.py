@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.columns import COLUMNS
 from fembearing.provenance import provenance_of
-from fembearing.quantities import QUANTITIES
 from fembearing.sweep.grid import Axis, Grid
 from fembearing.sweep.parts import column_notes
 
@@ -68,7 +68,7 @@ def _short(key: str) -> str:
 
 def _axis_notes(axis: Axis) -> dict[str, str]:
     name = QUANTITY.get(axis.key, _short(axis.key))
-    notes = {"long_name": QUANTITIES[name].meaning if name in QUANTITIES else name.replace("_", " "), "key": axis.key}
+    notes = {"long_name": COLUMNS[name].meaning if name in COLUMNS else name.replace("_", " "), "key": axis.key}
     return notes | ({} if axis.unit is None else {"units": axis.unit or "1"})
 
 

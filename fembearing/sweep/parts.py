@@ -17,13 +17,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.columns import OF_TORQUE
+from analytic.columns import CONTACT_COLUMNS, OF_TORQUE, VERDICT
 from analytic.errors import FembearingError
 from analytic.labelled import Column
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.scene import Scene
 from analytic.torque import friction_torque
-from fembearing.quantities import CONTACT_COLUMNS, VERDICT
 from fembearing.sweep.grid import Grid
 
 MOST_THRUST = 1000  # points in one piece under thrust: about 3 s with free balls

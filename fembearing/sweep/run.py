@@ -16,7 +16,7 @@ from analytic.brief import Brief
 from analytic.errors import InputError, require_packages
 from analytic.progress import Progress, silent
 from analytic.scene import Scene
-from fembearing.quantities import about
+from analytic.words import about
 from fembearing.sweep.cluster import LostWorkerError, each_done
 from fembearing.sweep.dataset import is_readable, write_dataset
 from fembearing.sweep.grid import Grid, load_grid

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from analytic.scenefile.template import scene_text
+from analytic.units import METRIC, SYSTEMS
 from fembearing.app import evaluation
 from fembearing.app.charts import curve_options, ellipse_options, part_legend, part_options, ring_options
 from fembearing.app.evaluation import Evaluation, at_once, completed, curve_scenes, series_of
 from fembearing.app.scene_edit import with_value
-from fembearing.quantities import METRIC, SYSTEMS
 from tests.analytic.specimens import present
 
 DRY = """

@@ -129,6 +129,8 @@ def test_a_bearing_in_the_list(command) -> None:
         .strip()
         .endswith(f"40 80 18 {bearing.ball_count} {1e3 * bearing.ball_diameter:g} 40 34.5 24 {bearing.grade}")
     )  # d, D, B, Z, Dw, angle, C, C0: the maker prints 40 x 80 x 18 mm, 34.5 and 24 kN
+    inch = command("list", "bearings", "7208b", "--units", "inch").out
+    assert "1.575 3.15 0.7087" in re.sub(" +", " ", inch)  # 40, 80 and 18 mm over 25.4 mm
 
 
 def test_init_writes_a_scene_and_its_schema(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

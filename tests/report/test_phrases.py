@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 
 from analytic.scenefile.keys import UNCERTAIN
+from analytic.units import METRIC
 from analytic.verdicts import PhysicalCheck
 from analytic.words import rounded
-from fembearing.quantities import METRIC
 from fembearing.report.phrases import angle_cell, between, digits, input_name, listed, shown
 from fembearing.report.sections.inputs import value_of
 from fembearing.report.sections.limits import worst_of

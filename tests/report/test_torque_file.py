@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
-from analytic.columns import COLUMNS, COORDINATES
+from analytic.columns import COLUMNS
 from analytic.errors import InputError
 from analytic.scene_torque import SceneTorque, torque_of_scene
 from analytic.scenefile.read import load_scene, parse_scene
@@ -69,7 +69,7 @@ def test_dataset_and_data_frame_hold_the_same_numbers(result: SceneTorque) -> No
     assert {*dataset.data_vars, *dataset.coords} == {*frame.columns}
     for name in frame.columns:
         np.testing.assert_array_equal(frame[name], dataset[name])
-        assert dataset[name].attrs["units"] == frame.attrs["units"][name] == (COORDINATES | COLUMNS)[name].unit
+        assert dataset[name].attrs["units"] == frame.attrs["units"][name] == (COLUMNS)[name].unit
         told = [np.nan if point[name] is None else point[name] for point in points]
         np.testing.assert_array_equal(np.where(np.isfinite(frame[name]), frame[name], np.nan), told)
 

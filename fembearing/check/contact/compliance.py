@@ -77,10 +77,11 @@ class PairSeries:
         )
         transverse = last.quantities.semi_axis_transverse
         if self.sides:
-            both = press_pair(_mean([each.at(load) for each in self.sides]), load=load)
+            sides = [each.at(load) for each in self.sides]
+            mean = replace(sides[0], added=np.mean([each.added for each in sides], axis=0))
             region = with_effect_of_sides(
                 region,
-                changes(fine, asdict(both.quantities)),
+                changes(fine, asdict(press_pair(mean, load=load).quantities)),
                 last.contact,
                 transverse=transverse,
                 farther=None if self.farther is None else float(self.farther(np.log(load))),
@@ -114,10 +115,6 @@ def _growth(compliance: PairCompliance, recipe: Recipe) -> float:
         for extended in (True, False)
     )
     return larger / block
-
-
-def _mean(compliances: Sequence[PairCompliance]) -> PairCompliance:
-    return replace(compliances[0], added=np.mean([each.added for each in compliances], axis=0))
 
 
 def pair_series(contact: Contact, *, recipe: Recipe, loads: Sequence[float]) -> PairSeries:

@@ -8,12 +8,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from analytic.columns import CONTACT
 from analytic.figures.style import BLACK, BLUE, LETTERS, RED, SIDE_BY_SIDE, WIDTH, lettered
 from analytic.scene import Array
 from analytic.units import Units
 from fembearing.check.contact.hertz import Profiles
 from fembearing.fem.measure import Quantities
-from fembearing.quantities import CONTACT
 
 ROLLING, TRANSVERSE = CONTACT["semi_axis_rolling"], CONTACT["semi_axis_transverse"]
 ALONG = {  # axis of the profile -> semi-axis, words, colour, mark, line

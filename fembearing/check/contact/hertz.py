@@ -57,12 +57,12 @@ def beside_hertz(
     tolerance : relative;  valid : whether the contact ends before its shoulder
     judged : names of quantities; none of a sheet, which Hertz's half space does not describe
     """
-    found = {name: compared_with(part, getattr(hertz, name)) for name, part in estimates.items()}
-    return found | {
-        name: replace(found[name], verdict=verdict_on(found[name].production, part, tolerance=tolerance, valid=valid))
-        for name, part in estimates.items()
-        if name in judged
-    }
+    found = {}
+    for name, part in estimates.items():
+        formula = getattr(hertz, name)
+        verdict = verdict_on(formula, part, tolerance=tolerance, valid=valid) if name in judged else "shown"
+        found[name] = compared_with(part, formula, verdict=verdict)
+    return found
 
 
 def corrected_hertz(contact: Contact, *, hertz: Quantities) -> tuple[CorrectedHertz | None, tuple[str, ...]]:

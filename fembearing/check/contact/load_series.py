@@ -23,6 +23,7 @@ from scipy.special import stdtrit
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
+from analytic.columns import CONTACT_COLUMNS, VERDICT
 from analytic.errors import InputError, require_non_negative
 from analytic.given import SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
@@ -50,7 +51,6 @@ from fembearing.fem.solution import MeshSolution
 from fembearing.grid_convergence import Estimate
 from fembearing.mesh.footprint import Sides
 from fembearing.mesh.recipe import Geometry, Recipe
-from fembearing.quantities import CONTACT_COLUMNS, VERDICT
 
 # A series on plain levels: where the edge of an ellipse crosses cells made for another ellipse, the error of the
 # approach oscillates with the load, alike on all levels. On 14 idealised contacts at 33 sizes from 0.65 to 1.35 of
@@ -211,7 +211,7 @@ class SolvedLoad(NamedTuple):
 
     mesh: MeshSolution | PixelSolution  # on the finest level
     estimates: Estimates  # of the approach, and of the other quantities where the compliance of the pair gives them
-    off_mesh: float  # relative, the part of the approach's uncertainty by `OFF_MESH`
+    off_mesh: float = 0.0  # relative, the part of the approach's uncertainty by `OFF_MESH`
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -428,19 +428,18 @@ def _solved(
     Two loads or more of a true shape that end before the shoulder share the compliance of the pair.
     """
     progress(0.0, f"{contact.pair}: {len(loads)} loads")
-    shared = []
-    if recipe.geometry == "real":
-        shared = [load for load in loads if ends_before_shoulder(replace(contact, load=load))]
-    if len(shared) < 2:
-        return _on_shared_meshes(contact, recipe=recipe, loads=loads, progress=progress)
-    series = pair_series(contact, recipe=recipe, loads=shared)
-    progress(0.4, f"{contact.pair}: {len(shared)} loads by the compliance of the pair")
-    solved = {load: SolvedLoad(*series.under(load), 0.0) for load in shared}
-    others, meshes = {}, 0
-    if len(shared) < len(loads):
-        over = [load for load in loads if load not in solved]
-        others, meshes = _on_shared_meshes(contact, recipe=recipe, loads=over, progress=progress)
-    return solved | others, len(series.sampled) + meshes
+    true = recipe.geometry == "real"
+    shared = [load for load in loads if true and ends_before_shoulder(replace(contact, load=load))]
+    solved, meshes = {}, 0
+    if len(shared) > 1:
+        series = pair_series(contact, recipe=recipe, loads=shared)
+        progress(0.4, f"{contact.pair}: {len(shared)} loads by the compliance of the pair")
+        solved, meshes = {load: SolvedLoad(*series.under(load)) for load in shared}, len(series.sampled)
+    others = [load for load in loads if load not in solved]
+    if others:
+        on_meshes, count = _on_shared_meshes(contact, recipe=recipe, loads=others, progress=progress)
+        solved, meshes = solved | on_meshes, meshes + count
+    return solved, meshes
 
 
 def _on_shared_meshes(
@@ -463,7 +462,7 @@ def _on_shared_meshes(
         region = boundary_effect(coarse, larger[number]) if bounded else {"approach": Boundary()}
         if sided:
             region = with_sides(region, coarse, *(side[number] for side in both), farther=None)
-        part, off = estimates_of((coarse, mesh))["approach"], off_mesh_uncertainty(mesh)
+        part, off = estimates_of((coarse, mesh))["approach"], OFF_MESH * min(1.0, off_mesh(mesh) / OFF_FROM)
         part = replace(part, mesh=part.mesh + off, **vars(region["approach"]))
         solved[mesh.contact.load] = SolvedLoad(mesh, {"approach": part}, off)
     return solved, len({id(part.bodies) for part in third})
@@ -480,10 +479,5 @@ def _refined(solved: dict[float, SolvedLoad], wanted: Wanted) -> dict[float, Sol
             single = solve_reference(mesh.contact, wanted._replace(progress=step))
         except InputError:  # an ellipse too wide for its own mesh: the result on its neighbour's stays
             continue
-        refined[load] = SolvedLoad(single.meshes[-1], single.estimates, 0.0)
+        refined[load] = SolvedLoad(single.meshes[-1], single.estimates)
     return refined
-
-
-def off_mesh_uncertainty(solution: MeshSolution) -> float:
-    """Relative uncertainty of an approach whose ellipse differs from that of its mesh."""
-    return OFF_MESH * min(1.0, off_mesh(solution) / OFF_FROM)

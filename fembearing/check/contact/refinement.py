@@ -10,6 +10,7 @@ from typing import Literal, NamedTuple
 
 from analytic.progress import Progress, silent
 from analytic.scene import Contact
+from analytic.words import about
 from fembearing.check.comparison import could_be_decided
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.meshed_region import (
@@ -31,7 +32,6 @@ from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_on_level
 from fembearing.grid_convergence import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate, mesh_allowed, observed_order
 from fembearing.mesh.recipe import Recipe
-from fembearing.quantities import about
 
 Estimates = dict[str, Estimate]
 # How the error of the meshes was removed: by twins of half spaces on the same cells, or by extrapolation alone

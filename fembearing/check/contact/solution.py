@@ -13,6 +13,7 @@ from annotated_types import MinLen
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief
+from analytic.columns import CONTACT, CONTACT_COLUMNS, VERDICT
 from analytic.errors import require_non_negative, require_packages
 from analytic.given import SceneOptions
 from analytic.labelled import Labelled, dataset_of, html_table
@@ -60,7 +61,6 @@ from fembearing.fem.subsurface import Side, body_displacement, body_of, von_mise
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring
-from fembearing.quantities import CONTACT, CONTACT_COLUMNS, VERDICT
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -257,7 +257,7 @@ class ContactSolution(Brief):
         return written
 
     def columns(self) -> dict[str, float]:
-        """The values of `fembearing.quantities.CONTACT_COLUMNS`, SI."""
+        """The values of `analytic.columns.CONTACT_COLUMNS`, SI."""
         compared = self.numbers.quantities
         return {
             "load": self.contact.load,

@@ -62,7 +62,7 @@ class MeasuredComparison(Brief):
 
     def columns(self) -> dict[str, Labelled]:
         """Every number of the rows, SI, NaN where it is not known, the operating points first."""
-        described, names = COORDINATES | COLUMNS, [part.name for part in fields(MeasuredRow) if part.name != "verdict"]
+        described, names = COLUMNS, [part.name for part in fields(MeasuredRow) if part.name != "verdict"]
         found = {name: np.array([getattr(row, name) for row in self.rows], dtype=np.float64) for name in names}
         return {name: Labelled((ROW,), values, described[name]) for name, values in found.items()}
 

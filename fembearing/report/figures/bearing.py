@@ -17,9 +17,8 @@ from analytic.errors import InputError
 from analytic.figures.style import BLUE, GREY, LETTERS, RED, TITLE, WIDTH
 from analytic.given import SceneOptions
 from analytic.scene import ArrangementKind, Array, Scene
-from analytic.units import SYSTEMS
+from analytic.units import METRIC, SYSTEMS, Units
 from analytic.writing import new_file
-from fembearing.quantities import METRIC, Units
 from fembearing.report.figures.bearing_section import (
     DrawnBearing,
     RingSection,

@@ -8,8 +8,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.figures.style import BLACK, BLUE, LETTERS, ORANGE, RED, TITLE, WIDTH, lettered, plain_numbers
+from analytic.units import MILLISECOND, Units
 from fembearing.check.cage_record import DrawnMotion
-from fembearing.quantities import MILLISECOND, Units
 from fembearing.report.report import Report
 
 STARTING, MEASURED, BLOCKS, LIMIT = "silver", BLUE, RED, BLACK

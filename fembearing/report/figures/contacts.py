@@ -7,11 +7,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
+from analytic.columns import CONTACT
 from analytic.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, PURPLE, RED, WIDTH, lettered
+from analytic.units import Units
 from fembearing.check.contact.figure import CAPTION, CUT, DrawnPressure, contact_columns, pressure_figure
 from fembearing.check.contact.scene_contact import place_of
 from fembearing.check.contact.solution import ContactNumbers
-from fembearing.quantities import CONTACT, Units
 from fembearing.report.report import Report
 from fembearing.report.sections.contacts import contact_place
 

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from analytic.figures.style import BLUE, GREY, LETTERS, RED, WIDTH, lettered
 from analytic.prediction.duty import DutyCycle, DutyStep
 from analytic.scene import Array
-from fembearing.quantities import METRIC, Units
+from analytic.units import METRIC, Units
 
 HEIGHT = 4.2  # inches
 MINUTES, HOURS = 600.0, 36_000.0  # s from which time is shown in minutes and in hours

@@ -7,14 +7,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from analytic.columns import COLUMNS
 from analytic.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, RED, WIDTH, lettered, scaled
 from analytic.figures.torque import logarithmic_torques
 from analytic.scene import Array
 from analytic.scenefile.measured import OPERATING
+from analytic.units import METRIC, Units
 from analytic.words import Unit
 from fembearing.check.measured.comparison import MeasuredComparison
 from fembearing.check.measured.rows import COVERAGE, MeasuredRow
-from fembearing.quantities import METRIC, QUANTITIES, Units
 from fembearing.report.report import Report
 
 COLOURS = (BLUE, GREEN, ORANGE, PURPLE)  # of curves; more of them are drawn as points
@@ -85,9 +86,7 @@ def axis_of(rows: Sequence[MeasuredRow], units: Units) -> Axis:
 
     Row by row where nothing varies.
     """
-    shown = {name: QUANTITIES[name].in_units(units).shown for name in OPERATING[:-1]} | {
-        "temperature": units.temperature
-    }
+    shown = {name: COLUMNS[name].shown(units) for name in OPERATING[:-1]} | {"temperature": units.temperature}
     known = {name: [getattr(row, name) for row in rows] for name in OPERATING}
     varying = [name for name in OPERATING if len({*known[name]}) > 1]
     if not varying:

@@ -9,8 +9,8 @@ from typing import Literal
 
 from matplotlib.figure import Figure
 
+from analytic.units import METRIC
 from analytic.words import percent_of
-from fembearing.quantities import METRIC
 from fembearing.report.document import Block, Drawing, Text, View
 from fembearing.report.figures.bearing import bearing_plot
 from fembearing.report.figures.cage import cage_plot

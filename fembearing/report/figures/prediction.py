@@ -6,8 +6,7 @@ from matplotlib.figure import Figure
 
 from analytic.figures.style import BLACK, BLUE, ORANGE, SKY, WIDTH, lettered
 from analytic.prediction.prediction import Prediction
-from analytic.units import speed_words
-from fembearing.quantities import Units
+from analytic.units import Units, speed_words
 from fembearing.report.phrases import input_name
 from fembearing.report.report import Report
 from fembearing.report.sections.points import loads_of, present_loads

@@ -9,8 +9,7 @@ from matplotlib.ticker import MaxNLocator
 
 from analytic.columns import Point
 from analytic.figures.style import BLUE, LETTERS, RED, WIDTH, lettered
-from analytic.units import speed_words
-from fembearing.quantities import Units
+from analytic.units import Units, speed_words
 from fembearing.report.figures.torque import NO_TORQUE
 from fembearing.report.report import Report
 from fembearing.report.sections.points import loads_of, present_loads

@@ -6,9 +6,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from analytic.columns import CONTACT
 from analytic.figures.style import BLACK, BLUE, LETTERS, ORANGE, WIDTH, lettered
+from analytic.units import Units
 from fembearing.check.sensitivity import Input, Output, Sensitivity
-from fembearing.quantities import CONTACT, Units
 from fembearing.report.phrases import input_name
 from fembearing.report.report import Report
 from fembearing.report.sections.points import loads_of, present_loads

@@ -16,10 +16,12 @@ from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import LogLocator, MaxNLocator
 
+from analytic.columns import COLUMNS
 from analytic.figures.style import DECADE, plain_numbers
 from analytic.scene import Array
+from analytic.units import METRIC, unit_for
+from analytic.words import Unit
 from analytic.writing import write
-from fembearing.quantities import METRIC, QUANTITIES, Unit, unit_for
 from fembearing.report.figures.style import png
 
 PLOTTED = ("torque_total", "peak_pressure_inner", "peak_pressure", "discrepancy_peak_pressure")
@@ -69,7 +71,7 @@ def _fixed_words(dataset: Any) -> list[str]:
         words.append(oil.get("name") or "oil")
     for value, key, unit in (
         (oil.get("temperature"), "lubricant.temperature", METRIC.temperature),
-        *((operation.get(name), f"operation.{name}", QUANTITIES[name].shown) for name in ("axial_load", "radial_load")),
+        *((operation.get(name), f"operation.{name}", COLUMNS[name].shown()) for name in ("axial_load", "radial_load")),
         (operation.get("inner_speed"), "operation.inner_speed", METRIC.speed),
     ):
         values = value if isinstance(value, list) else [value]

@@ -7,10 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from analytic.units import MILLI
+from analytic.units import MILLI, MILLISECOND
 from analytic.words import RPM
 from fembearing.check.cage_record import CageRecord
-from fembearing.quantities import MILLISECOND
 from fembearing.report.pictures.framing import round_length
 
 SIDE, LINE, FOOT = 900, 28, 90  # pixels of the cage, of a line of the words above, and of those below

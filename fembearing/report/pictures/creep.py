@@ -12,12 +12,12 @@ from matplotlib.ticker import MaxNLocator
 
 from analytic.contact.geometry import RACES, Race
 from analytic.errors import ConvergenceError
+from analytic.units import MILLI, unit_for
 from analytic.words import Unit
 from fembearing.check.contact.scene_contact import OfPair
 from fembearing.check.creep.scene_creep import SceneCreep
 from fembearing.creep.ball import Grid, RaceCreep, turn_ball
 from fembearing.creep.rolling import STICKS
-from fembearing.quantities import MILLI, unit_for
 from fembearing.report.pictures.framing import round_length
 from fembearing.report.report import PictureFile
 from fembearing.report.sections.contacts import title_of

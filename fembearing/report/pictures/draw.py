@@ -18,10 +18,10 @@ from typing import Any, Literal
 
 from matplotlib.ticker import MaxNLocator
 
+from analytic.units import MILLI, unit_for
 from analytic.writing import write
 from fembearing.check.contact.scene_contact import place_of
 from fembearing.check.contact.solution import ContactSolution
-from fembearing.quantities import MILLI, unit_for
 from fembearing.report.page.view import view_page
 from fembearing.report.phrases import AXES
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of

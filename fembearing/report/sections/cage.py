@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from analytic.cage.drive import LARGEST_GRIP
 from analytic.columns import Point
 from analytic.scene_torque import SceneTorque
-from fembearing.quantities import METRIC, Units
+from analytic.units import METRIC, Units
 from fembearing.report.document import Head, Section, Table, table_of
 from fembearing.report.phrases import between, percent, shown
 

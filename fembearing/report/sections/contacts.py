@@ -2,6 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
+from analytic.columns import CONTACT, STRESSES
+from analytic.labelled import Column
 from analytic.units import METRIC, MICRO, STIFFNESS, TANGENT, Units
 from analytic.words import angle_of, percent_of
 from fembearing.check.comparison import Comparison
@@ -10,13 +12,12 @@ from fembearing.check.contact.meshed_region import RingStructure
 from fembearing.check.contact.scene_contact import place_of
 from fembearing.check.contact.solution import ContactNumbers, sheet_in_series
 from fembearing.check.contact.subsurface import SubsurfaceComparison
-from fembearing.quantities import CONTACT, STRESSES, Quantity
 from fembearing.report.document import Bullets, Group, Head, Row, Section, Table, Text, table_of
 from fembearing.report.phrases import AXES, capital, digits, shown
 from fembearing.report.report import Report
 from fembearing.report.sections.points import heaviest_point, point_name
 
-AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
+AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(short="pressure at y = 0")
 
 RESOLVED = (
     "Is the difference resolved? According to ASME V&V 20, with Hertz as S, finite elements as D and E = S - D: the "
@@ -110,10 +111,10 @@ def contact_table(contacts: Sequence[ContactNumbers], units: Units = METRIC) -> 
 
 
 def _rows(contact: ContactNumbers, units: Units) -> Iterator[Row]:
-    for name, quantity in quantities_of(contact, units).items():
-        each, study, factor = contact.quantities[name], contact.estimates[name], quantity.shown.factor
+    for name, quantity in quantities_of(contact).items():
+        each, study, factor = contact.quantities[name], contact.estimates[name], quantity.shown(units).factor
         yield [
-            quantity.heading,
+            quantity.heading(units),
             digits(each.production, factor),
             digits(each.reference, factor),
             _off(each),
@@ -132,9 +133,9 @@ def _notes(contact: ContactNumbers, units: Units) -> list[str]:
     notes, corrected = [], contact.corrected
     if corrected is not None:
         values = ", ".join(
-            f"{quantity.name} {quantity.shown.written(getattr(corrected.quantities, name), '.5g')} "
+            f"{quantity.name} {quantity.shown(units).written(getattr(corrected.quantities, name), '.5g')} "
             f"({contact.interpolation_error[name]:+.2%})"
-            for name, quantity in quantities_of(contact, units).items()
+            for name, quantity in quantities_of(contact).items()
         )
         notes.append(
             f"Hertz corrected for finite geometry (interpolation error, over FE - 1): {values}; stated 95 % "
@@ -195,13 +196,12 @@ def subsurface_table(below: SubsurfaceComparison, units: Units = METRIC) -> Tabl
     """Where fatigue begins, in the body under the ball."""
     heads = [Head("quantity", "name"), *(Head(name, fixed=True) for name in ("Hertz", "FE", OFF, "+-"))]
     rows = []
-    for name, metric in STRESSES.items():
-        quantity = metric.in_units(units)
-        unit, each = quantity.shown, below.quantities[name]
+    for name, quantity in STRESSES.items():
+        unit, each = quantity.shown(units), below.quantities[name]
         is_depth = name.endswith("depth")
         rows.append(
             [
-                quantity.heading,
+                quantity.heading(units),
                 digits(each.production, unit.factor, 4),
                 digits(each.reference, unit.factor, 4),
                 _off(each),
@@ -271,10 +271,9 @@ def _series_notes(series: LoadSeries) -> Iterator[str]:
     yield f"Finite elements, {series.geometry}, {series.meshes} {meshes} for all loads, {series.seconds:.1f} s"
 
 
-def quantities_of(contact: "ContactNumbers", units: Units = METRIC) -> dict[str, Quantity]:
+def quantities_of(contact: ContactNumbers) -> dict[str, Column]:
     """The quantities of a contact; where a shoulder cuts it off, the pressure is largest there and not at y = 0."""
-    named = CONTACT | {"peak_pressure": AT_THE_CENTRE} if contact.shoulder else CONTACT
-    return {name: quantity.in_units(units) for name, quantity in named.items()}
+    return CONTACT | {"peak_pressure": AT_THE_CENTRE} if contact.shoulder else CONTACT
 
 
 def title_of(pair: str, geometry: str, contact_angle: float, load: str, bearing: str | None = None) -> str:

@@ -2,12 +2,11 @@
 
 from collections.abc import Iterator
 
-from analytic.units import speed_words
+from analytic.units import METRIC, Units, speed_words
 from analytic.words import Unit, percent_of
 from fembearing.check.comparison import Comparison
 from fembearing.check.contact.scene_contact import which_bearing
 from fembearing.check.creep.scene_creep import CreepNumbers, RaceNumbers
-from fembearing.quantities import METRIC, Units
 from fembearing.report.document import Group, Head, Section, Table, Text
 from fembearing.report.phrases import shown
 from fembearing.report.report import Report

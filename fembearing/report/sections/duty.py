@@ -1,8 +1,8 @@
 """A duty cycle: its steps, and energy, torque and power of the whole."""
 
 from analytic.prediction.duty import DutyCycle, DutyStep, Estimate
+from analytic.units import METRIC, Units
 from analytic.words import Unit
-from fembearing.quantities import METRIC, Units
 from fembearing.report.document import Head, Row, Section, Table, table_of
 from fembearing.report.sections.points import fixed_loads, point_cells, point_heads
 

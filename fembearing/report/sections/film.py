@@ -2,11 +2,10 @@
 
 from collections.abc import Sequence
 
-from analytic.units import speed_words
+from analytic.units import METRIC, Units, speed_words
 from analytic.words import MILLINEWTON
 from fembearing.check.contact.scene_contact import which_bearing
 from fembearing.check.film.scene_film import FilmNumbers
-from fembearing.quantities import METRIC, Units
 from fembearing.report.document import Head, Section, Table, Text, table_of
 from fembearing.report.phrases import shown
 from fembearing.report.report import Report

@@ -6,14 +6,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from analytic.columns import COORDINATES, Point
+from analytic.columns import COLUMNS, COORDINATES, Point
 from analytic.effects import DECLARED
 from analytic.limits import MOST_STARVED
 from analytic.makers import NO_BAND, WITHOUT_LOSSES
 from analytic.scene_torque import MOST_ESTIMATED, SceneTorque
-from analytic.units import speed_words
+from analytic.units import METRIC, SYSTEMS, Units, speed_words
 from analytic.words import percent_of, rounded
-from fembearing.quantities import METRIC, QUANTITIES, SYSTEMS, Units
 from fembearing.report.document import Block, Head, Row, Section, Table, Text, table_of
 from fembearing.report.phrases import between
 from fembearing.report.sections.inputs import tilt_of
@@ -85,7 +84,7 @@ def headline_title(result: SceneTorque, units: Units = METRIC) -> str:
     words = [f"{'' if result.friction.pair is None else 'two '}{scene.bearing.name}"]
     fixed = [name for name in present_loads(points) if name not in varying_loads(points) and points[0][name]]
     for name in fixed:
-        load = QUANTITIES[name].in_units(units).shown.written(points[0][name], ".5g")
+        load = COLUMNS[name].shown(units).written(points[0][name], ".5g")
         words.append(f"{COORDINATES[name].meaning.removesuffix(' load')} {load}")
     words += [tilt_of(result, units)] if tilt_of(result, units) else []
     speeds = {point["inner_speed"] for point in points}

@@ -5,12 +5,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from analytic.columns import COLUMNS
 from analytic.effects import Effect
 from analytic.scene import Array, Cage, Clearances, Groove, Material, OwnTraction, Scene, Surface
 from analytic.scene_torque import SceneTorque
 from analytic.scenefile.inputs import StatedInput
+from analytic.units import METRIC, Units
 from analytic.words import angle_of
-from fembearing.quantities import METRIC, QUANTITIES, Units
 from fembearing.report.document import Facts, Head, Section, Table, Text, table_of
 from fembearing.report.phrases import listed
 from fembearing.report.sections.points import LOADS
@@ -235,10 +236,10 @@ def _operation(scene: Scene, units: Units) -> str:
     given = scene.operation
     words = []
     for name in LOADS:
-        quantity = QUANTITIES[name].in_units(units)
-        values = listed(_series(getattr(given, name)), quantity.shown.factor)
+        unit = COLUMNS[name].shown(units)
+        values = listed(_series(getattr(given, name)), unit.factor)
         if name == "axial_load" or values not in ("0", "-0"):
-            words.append(f"{quantity.name} {values} {quantity.shown.name}")
+            words.append(f"{COLUMNS[name].name} {values} {unit.name}")
     return ", ".join(
         [*words, f"inner speed {listed(_series(given.inner_speed), units.speed.factor)} {units.speed.name}"]
     )

@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
+from analytic.units import METRIC, Units
 from analytic.verdicts import NumericalCheck, PhysicalCheck, Summary
 from analytic.words import percent_of
-from fembearing.quantities import METRIC, Units
 from fembearing.report.document import Head, Section, Table, Text, table_of
 from fembearing.report.phrases import capital
 

@@ -4,10 +4,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from analytic.scenefile.measured import OPERATING
-from analytic.units import speed_words
+from analytic.units import METRIC, Units, speed_words
 from fembearing.check.measured.comparison import MeasuredComparison
 from fembearing.check.measured.rows import MeasuredRow
-from fembearing.quantities import METRIC, Units
 from fembearing.report.document import Bullets, Drawing, Head, Row, Section, Table, Text, table_of
 from fembearing.report.phrases import between, digits
 from fembearing.report.sections.points import fixed_loads, point_cells, point_heads

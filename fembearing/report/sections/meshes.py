@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
+from analytic.units import Units
 from fembearing.check.contact.solution import ContactNumbers
 from fembearing.grid_convergence import Estimate
-from fembearing.quantities import Units
 from fembearing.report.document import Group, Head, Row, Section, Table
 from fembearing.report.phrases import digits, shown
 from fembearing.report.report import Report
@@ -52,10 +52,10 @@ def meshes_section(document: Report) -> Section:
 
 
 def _rows(contact: ContactNumbers, units: Units) -> Iterator[Row]:
-    for name, quantity in quantities_of(contact, units).items():
-        study, factor = contact.estimates[name], quantity.shown.factor
+    for name, quantity in quantities_of(contact).items():
+        study, factor = contact.estimates[name], quantity.shown(units).factor
         yield [
-            quantity.heading,
+            quantity.heading(units),
             _on_meshes(study, factor),
             shown(study.order, ".1f", absent="none"),
             shown(study.grid_convergence_index, ".2%", absent="none"),

@@ -2,11 +2,10 @@
 
 from collections.abc import Sequence
 
-from analytic.columns import COORDINATES, Point
+from analytic.columns import COLUMNS, COORDINATES, Point
 from analytic.scene_torque import SceneTorque
-from analytic.units import METRIC, load_words, speed_words
+from analytic.units import METRIC, Units, load_words, speed_words
 from analytic.words import rounded
-from fembearing.quantities import QUANTITIES, Units
 from fembearing.report.document import Head
 
 LOADS = ("axial_load", "radial_load", "moment")
@@ -21,16 +20,16 @@ def point_heads(points: Sequence[Point], units: Units) -> list[Head]:
     """
     varying, loads = varying_loads(points), []
     for name in present_loads(points):
-        quantity = QUANTITIES[name].in_units(units)
-        short = f"{quantity.symbol}, {quantity.shown.name}"
-        loads.append(Head(quantity.heading, short=short, wide=name not in varying))
+        column = COLUMNS[name]
+        short = f"{column.symbol}, {column.shown(units).name}"
+        loads.append(Head(column.heading(units), short=short, wide=name not in varying))
     return [Head("#"), Head(f"speed, {units.speed.name}", short=units.speed.name), *loads]
 
 
 def point_cells(points: Sequence[Point], index: int, units: Units) -> list[str]:
     """The cells below `point_heads`."""
     point = points[index]
-    shown = {name: QUANTITIES[name].in_units(units).shown for name in present_loads(points)}
+    shown = {name: COLUMNS[name].shown(units) for name in present_loads(points)}
     loads = [f"{unit.number(point[name]):.5g}" for name, unit in shown.items()]
     return [str(index + 1), rounded(units.speed.number(point["inner_speed"]), 5), *loads]
 
@@ -39,7 +38,7 @@ def fixed_loads(points: Sequence[Point], units: Units) -> list[str]:
     """The loads that are the same at every point, in words."""
     varying = varying_loads(points)
     return [
-        f"{COORDINATES[name].meaning} {QUANTITIES[name].in_units(units).shown.written(points[0][name], '.5g')}"
+        f"{COORDINATES[name].meaning} {COLUMNS[name].shown(units).written(points[0][name], '.5g')}"
         for name in present_loads(points)
         if name not in varying
     ]

@@ -7,8 +7,7 @@ import numpy as np
 
 from analytic.columns import MODEL_PARTS
 from analytic.scene_torque import SceneTorque
-from analytic.units import speed_words
-from fembearing.quantities import METRIC, Units
+from analytic.units import METRIC, Units, speed_words
 from fembearing.report.document import Head, Table, table_of
 from fembearing.report.phrases import between, digits, input_name
 

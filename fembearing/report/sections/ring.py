@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from analytic.columns import Point
-from fembearing.quantities import Units
+from analytic.units import Units
 from fembearing.report.document import Group, Head, Row, Section, Table, Text, table_of, without_zero_angles
 from fembearing.report.phrases import angle_cell, digits
 from fembearing.report.report import Report

@@ -3,12 +3,13 @@
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from analytic.columns import CONTACT
 from analytic.oil.film import FILM_FACTORS
 from analytic.scene_torque import SceneTorque
 from analytic.scenefile.inputs import StatedInput
+from analytic.units import METRIC
 from fembearing.check.contact.scene_contact import which_bearing
 from fembearing.check.contact.solution import ContactNumbers
-from fembearing.quantities import CONTACT, METRIC
 from fembearing.report.document import (
     Block,
     Bullets,
@@ -108,12 +109,11 @@ def _torque(document: Report, torque: SceneTorque) -> Section:
 def _contacts(document: Report) -> Table:
     """A row for each contact that is judged: what Hertz says, and how far it is from finite elements."""
     units = document.units
-    pressure = CONTACT["peak_pressure"].in_units(units)
     heads = [
         Head("contact", "name"),
         Head(f"ball load, {units.force.name}"),
         Head("contact angle, deg (rad)"),
-        Head(f"{pressure.heading}: Hertz"),
+        Head(f"{CONTACT['peak_pressure'].heading(units)}: Hertz"),
         Head("finite elements"),
         *(Head(f"{quantity.name}, %") for quantity in CONTACT.values()),
         Head("verdict", "verdict"),

@@ -5,13 +5,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from analytic.columns import COLUMNS, COORDINATES, MODEL_PARTS, Point
+from analytic.columns import COLUMNS, CONTACT, COORDINATES, MODEL_PARTS, Point
 from analytic.figures.torque import RESIDUE
 from analytic.result import BEARINGS, PairPart
 from analytic.scene import OwnTraction
 from analytic.scene_torque import SceneTorque
+from analytic.units import METRIC, SYSTEMS, Units
 from analytic.words import angle_of
-from fembearing.quantities import CONTACT, METRIC, QUANTITIES, SYSTEMS, Units
 from fembearing.report.document import (
     Block,
     Bullets,
@@ -106,17 +106,17 @@ def ball_table(torque: SceneTorque, places: Sequence[int], units: Units = METRIC
     computed, gap = torque.places.computed, torque.friction.gap_roughness
     points = [torque.points[place] for place in computed]
     shapes = ("peak_pressure", "semi_axis_rolling", "semi_axis_transverse")
-    contact = {name: CONTACT[name].in_units(units) for name in shapes}
-    film, mu = QUANTITIES["film"].in_units(units), COLUMNS["friction_coefficient_inner"].symbol
+    contact = {name: CONTACT[name].shown(units) for name in shapes}
+    film, mu = COLUMNS["film"], COLUMNS["friction_coefficient_inner"].symbol
     columns = [
         ("friction_coefficient", Head(mu), 1.0),
-        ("film", Head(film.heading), film.shown.factor),
+        ("film", Head(film.heading(units)), film.shown(units).factor),
         ("film", Head("film/roughness", wide=True), 1 / gap if gap else 0.0),
         ("asperity_share", Head("asperities, %"), 100.0),
     ]
     known = [each for each in columns if points[0][f"{each[0]}_inner"] is not None]
     heads = [Head("#"), Head("race", "name"), Head(f"load, {units.force.name}")]
-    heads += [Head(f"{each.symbol}, {each.shown.name}") for each in contact.values()]
+    heads += [Head(f"{CONTACT[name].symbol}, {unit.name}") for name, unit in contact.items()]
     heads += [*(head for _, head, _ in known), Head("contact angle, deg (rad)", wide=True)]
 
     def row(place: int, race: str) -> Row:
@@ -125,7 +125,7 @@ def ball_table(torque: SceneTorque, places: Sequence[int], units: Units = METRIC
             str(place + 1),
             race,
             digits(point[f"load_{race}"], units.force.factor, 4),
-            *(digits(point[f"{name}_{race}"], each.shown.factor, 4) for name, each in contact.items()),
+            *(digits(point[f"{name}_{race}"], unit.factor, 4) for name, unit in contact.items()),
             *(digits(point[f"{name}_{race}"], factor, 3) for name, _, factor in known),
             angle_cell(point["contact_angle"]) if race == "inner" else "",
         ]
@@ -145,7 +145,7 @@ def pair_table(pair: PairPart, places: Sequence[int], units: Units = METRIC) -> 
     found = pair.columns()
     loads = {"axial_load": COORDINATES["axial_load"].symbol, "radial_load": "Fr", "moment": "M"}
     shown_loads = {
-        name: QUANTITIES[name].in_units(units).shown
+        name: COLUMNS[name].shown(units)
         for name in loads
         if name == "axial_load" or any(np.any(found[f"{name}_{bearing}"]) for bearing in BEARINGS)
     }

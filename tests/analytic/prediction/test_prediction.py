@@ -206,6 +206,8 @@ def test_only_a_clearance_that_closes_at_an_angle_follows_the_grooves() -> None:
         for key, factor in (("bearing.ball_diameter", 1.003), ("bearing.outer.conformity", 1.02)):
             other, _ = varied_scene(given, {key: factor * (uncertain_value(given, key) or np.nan)})
             assert other.bearing.groove_centre_distance != given.bearing.groove_centre_distance
+            grown = factor if key == "bearing.ball_diameter" else 1.0
+            assert other.bearing.ball_mass == pytest.approx(grown**3 * given.bearing.ball_mass, rel=1e-12)
             # 1e-9: a difference of radii a thousand times as large
             assert other.bearing.diametral_clearance == pytest.approx(13e-6, rel=1e-9)
 

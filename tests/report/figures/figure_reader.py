@@ -15,7 +15,7 @@ from matplotlib.lines import Line2D
 from matplotlib.text import Text
 from numpy.typing import NDArray
 
-from fembearing.quantities import METRIC, Units
+from analytic.units import METRIC, Units
 
 Array = NDArray[np.float64]
 

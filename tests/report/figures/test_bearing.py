@@ -18,7 +18,7 @@ from analytic.errors import InputError
 from analytic.figures.style import BLUE, RED
 from analytic.scene import Arrangement, ArrangementKind, Array, Bearing, ContactAngle, Groove, Scene
 from analytic.scenefile.read import load_scene
-from fembearing.quantities import METRIC
+from analytic.units import METRIC
 from fembearing.report.figures.bearing import NOT_DRAWABLE, bearing_plot, dimensions_of, draw_bearing, shown_bearing
 from fembearing.report.figures.bearing_section import Section, section_of
 from fembearing.report.report import Report

@@ -9,9 +9,9 @@ import pytest
 from matplotlib.patches import Rectangle
 from matplotlib.text import Annotation
 
+from analytic.units import METRIC
 from fembearing.check.cage_record import CageRecord, DrawnMotion, exceedance
 from fembearing.plain_types import plain
-from fembearing.quantities import METRIC
 from fembearing.report.figures.cage import cage_plot, orbit_figure
 from fembearing.report.report import Report
 from tests.analytic.specimens import present

@@ -12,8 +12,8 @@ from matplotlib.patches import Rectangle
 from matplotlib.text import Annotation
 from pydantic import TypeAdapter
 
+from analytic.units import METRIC
 from fembearing.check.sensitivity import Sensitivity
-from fembearing.quantities import METRIC
 from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.report import Report
 from tests.analytic.specimens import present

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from analytic.prediction.steady import SteadyTemperature
-from fembearing.quantities import INCH_POUND
+from analytic.units import INCH_POUND
 from fembearing.report.sections.duty import MOST_ROWS, NOTES, cycle_table, steps_table
 from tests.report.specimens import cycle, step
 

@@ -8,7 +8,7 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.left_out import Places
 from analytic.scene import Operation
-from fembearing.quantities import INCH_POUND, METRIC
+from analytic.units import INCH_POUND, METRIC
 from fembearing.report.sections.points import (
     fixed_loads,
     heaviest_point,
