@@ -29,12 +29,14 @@ NAMES = {
     "ours": "fembearing, finite elements",
     "tamaas": "Tamaas, boundary elements",
     "ngsolve": "NGSolve, finite elements",
+    "calculix": "CalculiX, finite elements",
 }
 # Module, refinements, and those added by --long, of each peer
 LADDERS: dict[str, tuple[str, tuple[int, ...], tuple[int, ...]]] = {
     "ours": ("ours", (1, 2, 3, 4), (6,)),
     "tamaas": ("tamaas_bem", (16, 32, 64, 128, 256), (512,)),
     "ngsolve": ("ngsolve_contact", (1, 2, 3, 4), (6,)),
+    "calculix": ("calculix", (1, 2, 3), (4,)),
 }
 
 
@@ -85,11 +87,13 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def versions() -> dict[str, str]:
-    """Versions of the installed peers, by package."""
+    """Versions of the installed peers, by package or program."""
     installed = {}
     for package in ("fembearing", "tamaas", "ngsolve"):
         with contextlib.suppress(PackageNotFoundError):
             installed[package] = version(package)
+    with contextlib.suppress(OSError):
+        installed["ccx"] = subprocess.run(["ccx", "-v"], capture_output=True, text=True).stdout.split()[-1]
     return installed
 
 

@@ -9,7 +9,7 @@ from validation.study import figure, out, save, show
 
 COLUMNS = {"approach": "delta", "semi_axis_x": "a", "semi_axis_y": "b", "peak_pressure": "p0"}
 COSTS = {"solve_seconds": ("time to solve, s", 1.0), "memory": ("largest memory of the process, MiB", 1 / 2**20)}
-MARKS = {"ours": ("o", "C0"), "tamaas": ("s", "C1"), "ngsolve": ("^", "C2")}
+MARKS = {"ours": ("o", "C0"), "tamaas": ("s", "C1"), "ngsolve": ("^", "C2"), "calculix": ("D", "C3")}
 
 
 def exact_answer(case: dict[str, Any]) -> dict[str, float]:
