@@ -111,3 +111,13 @@ def test_a_candidate_without_a_torque_leaves_the_other_one() -> None:
     assert content_of(result).other_candidate is None
     assert sum("there is no torque" in warning for warning in result.friction.warnings) == 1
     assert np.all(result.friction.torque.total > 0)
+
+
+def test_a_notebook_shows_interval_verdict_and_warnings_as_they_are(result: SceneTorque) -> None:
+    ends = np.array([[0.011, 0.012, 0.013], [0.091, 0.092, 0.093]])
+    warned = replace(result.friction, warnings=("a <b> warning",))
+    text = replace(result, interval=ends, friction=warned)._repr_html_()
+    assert "<th>interval low, N mm</th><th>interval high, N mm</th>" in text
+    assert "<td>11</td><td>91</td>" in text
+    assert f"<p>{result.standing.word}: " in text
+    assert "a &lt;b&gt; warning" in text
