@@ -231,7 +231,7 @@ def _is_known(value: Any) -> bool:
 
 def without_residue(name: str, values: Array) -> Array:
     """The numbers of a column with 0 in place of what rounding leaves of it, as a spin torque of 1e-33 N m."""
-    least = ROUNDING.get((COLUMNS)[name].unit, 0.0)
+    least = ROUNDING.get(COLUMNS[name].unit, 0.0)
     return np.where(np.abs(values) < least, 0.0, values)
 
 

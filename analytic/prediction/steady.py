@@ -153,7 +153,7 @@ def steady_temperature(power: Callable[[float], float], thermal: Thermal, *, tol
         raise SingularError(
             problem=f"the oil has no steady temperature: at {found - ZERO_CELSIUS:.4g} degC the power of friction "
             f"jumps by {balance / thermal.resistance:.3g} W",
-            remedy="Give a smaller tolerance, so that no effect is neglected on one side.",
+            remedy="Give lubricant.temperature in place of [thermal].",
         )
     return SteadyTemperature(
         temperature=found, power=watts(found), ambient=thermal.ambient, resistance=thermal.resistance

@@ -24,6 +24,7 @@ def duty(given: Given, output: Output, talk: Talk, scene: Named, cycle: CycleFil
     from analytic.prediction.duty import cycle_with_torques
     from analytic.scenefile.columns import read_cycle
     from analytic.standing import worst_standing
+    from analytic.units import SYSTEMS
     from fembearing.cli.console import out, print_json, tell_assumed
     from fembearing.plain_types import document
     from fembearing.report.files import duty_files, write_all
@@ -40,7 +41,7 @@ def duty(given: Given, output: Output, talk: Talk, scene: Named, cycle: CycleFil
     if as_json:
         print_json(document("duty", result, standing=standing))
     else:
-        print_sections(out, [duty_section(result)])
+        print_sections(out, [duty_section(result, SYSTEMS[found.scene.report.units])])
         out.tell(standing.line("turning steps"))
         settled = {"lubricant.temperature"} if found.thermal else set()  # by friction
         tell_assumed({key: value for key, value in found.scene.usual.items() if key not in settled})

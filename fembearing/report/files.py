@@ -59,13 +59,13 @@ def duty_files(cycle: DutyCycle, standing: WorstStanding, scene: Scene) -> dict[
     from fembearing.report.figures.duty import duty_figure
     from fembearing.report.figures.style import png, svg
 
-    figure, known = duty_figure(cycle, SYSTEMS[scene.report.units]), COLUMNS
+    figure = duty_figure(cycle, SYSTEMS[scene.report.units])
     rows = [
         vars(step) | {"torque": step.torque.value, "torque_low": step.torque.low, "torque_high": step.torque.high}
         for step in cycle.steps
     ]
     columns = {name: np.array([row[name] for row in rows], dtype=float) for name in OF_STEP}
-    shown = {name: (unit_for(known[name].unit, 0.0), values) for name, values in columns.items()}
+    shown = {name: (COLUMNS[name].shown(), values) for name, values in columns.items()}
     return {
         "duty.json": json_of("duty", cycle, standing=standing, run=provenance_of(scene)),
         "duty.csv": csv_of_columns(shown, first={"step": range(1, len(rows) + 1)}),

@@ -144,8 +144,7 @@ def csv_of(results: Mapping[str, SceneTorque]) -> str:
             if np.isfinite(found).any():  # an uncertainty that is not known is infinite
                 known.setdefault(name, [np.full(size, np.nan) for size in sizes.values()])
                 known[name][list(results).index(scene)] = np.where(np.isfinite(found), found, np.nan)
-    shown = COLUMNS
-    columns = {name: (column.shown(), np.concatenate(known[name])) for name, column in shown.items() if name in known}
+    columns = {name: (column.shown(), np.concatenate(known[name])) for name, column in COLUMNS.items() if name in known}
     first = {"scene": [name for name, size in sizes.items() for _ in range(size)]} if len(results) > 1 else {}
     points = [number for size in sizes.values() for number in range(1, size + 1)]
     bearings = [result.scene.bearing.name for result in results.values() for _ in result.points]

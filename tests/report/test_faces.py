@@ -179,7 +179,9 @@ def page_agrees(check: Validation) -> None:
     page = written_page(check)
     parts, total = known_parts(friction), friction.torque.total
     shown = [*(np.where(part > RESIDUE * total, part, 0.0) for part in parts.values()), total]
-    for rows in [*tables_of(page, "Friction torque of"), *tables_of(page, "Friction torque by effect")]:
+    tables = [*tables_of(page, "Friction torque of"), *tables_of(page, "Friction torque by effect")]
+    assert len(tables) == 2
+    for rows in tables:
         assert [row["#"] for row in rows] == [str(number + 1) for number in range(friction.torque.total.size)]
         for row in rows:
             number, start = int(row["#"]) - 1, row["speed, rpm"]

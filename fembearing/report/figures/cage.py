@@ -46,7 +46,7 @@ def _why_at_rest(document: Report) -> str:
         return "No motion of the cage: the scene has no torque."
     return (
         "No motion of the cage: the torque has the closed form of a cage at rest on its balls, or no cage. The motion "
-        "is computed for a scene with a cage and its start, if it exceeds the tolerance."
+        "is computed for a scene with cage.start, where the cage can leave its rest."
     )
 
 

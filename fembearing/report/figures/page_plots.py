@@ -23,7 +23,7 @@ from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.figures.style import svg
 from fembearing.report.figures.torque import friction_plot, torque_plot
 from fembearing.report.report import Report
-from fembearing.report.sections.contacts import contact_title
+from fembearing.report.sections.contacts import contact_place, contact_title
 
 PIXELS = 96  # of a page, per inch
 SENTENCE_END = re.compile(r"(?<=[.]) (?=[A-Z])")
@@ -69,12 +69,13 @@ def pictures_of(document: Report, folder: Path) -> dict[str, list[Block]]:
     for picture in document.pictures:
         sentences = [each for each in SENTENCE_END.split(picture.caption) if each not in said]
         said |= {*sentences}
-        caption, title = " ".join(sentences), contact_title(document.contact_of(picture))
+        caption, contact = " ".join(sentences), document.contact_of(picture)
+        title = contact_title(contact)
         content = (folder / picture.file).read_bytes()
         if picture.kind == "view":
             shown.setdefault("pictures", []).append(View(content.decode(), caption, title))
         elif picture.kind in ("film", "creep"):
-            shown.setdefault(picture.kind, []).append(Drawing(embedded(content), caption, title))
+            shown.setdefault(picture.kind, []).append(Drawing(embedded(content), caption, contact_place(contact)))
         else:
             shown.setdefault("pictures", []).append(Drawing(embedded(content), caption, title, beside=True))
     turning = shown.get("pictures", [])

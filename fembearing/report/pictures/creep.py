@@ -115,6 +115,5 @@ def _caption(contact: RaceCreep) -> str:
     return (
         f"Friction of the heaviest ball by the reference, {drawn}. Above: pressure; arrows: traction on the ball. "
         "Below: slip speed; blue rectangles stick, the others slip. The surfaces enter the contact at the upper edge, "
-        "and traction grows from there up to the limit of friction. "
-        f"{contact.friction.slip_share:.0%} of the area slips."
+        "and traction grows from there up to the limit of friction."
     )

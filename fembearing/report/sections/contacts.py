@@ -9,7 +9,7 @@ from analytic.words import angle_of, percent_of
 from fembearing.check.comparison import Comparison
 from fembearing.check.contact.load_series import LoadSeries, PocketLaw
 from fembearing.check.contact.meshed_region import RingStructure
-from fembearing.check.contact.scene_contact import place_of
+from fembearing.check.contact.scene_contact import POCKET_LOAD, place_of
 from fembearing.check.contact.solution import ContactNumbers, sheet_in_series
 from fembearing.check.contact.subsurface import SubsurfaceComparison
 from fembearing.report.document import Bullets, Group, Head, Row, Section, Table, Text, table_of
@@ -36,8 +36,8 @@ OTHER_LOADS = (
 POCKET = (
     "The thick seat is the contact alone, as in Hertz. The sheet also bends on its rim: this deflection is "
     "proportional to F, not to F^(2/3), so that its K_pb holds at this load only, and there is no verdict. The ball "
-    "presses on the pole of half a pocket, along its axis. A seat is a cavity: its approach grows with the logarithm "
-    "of the counted size, here 8 major semi-axes."
+    "presses on the pole of half a pocket, along its axis; the stiffness at other places is not computed. A seat is a "
+    "cavity: its approach grows with the logarithm of the counted size, here 8 major semi-axes."
 )
 OFF = "Hertz/FE-1"  # Hertz's over finite elements, less one
 UNCERTAIN = "FE: finite elements; +-: their numerical uncertainty, 95 %; *: the difference exceeds it"
@@ -134,7 +134,7 @@ def _notes(contact: ContactNumbers, units: Units) -> list[str]:
     if corrected is not None:
         values = ", ".join(
             f"{quantity.name} {quantity.shown(units).written(getattr(corrected.quantities, name), '.5g')} "
-            f"({contact.interpolation_error[name]:+.2%})"
+            f"({contact.interpolation_error[name]:+z.2%})"
             for name, quantity in quantities_of(contact).items()
         )
         notes.append(
@@ -175,7 +175,7 @@ def pocket_tables(contacts: Sequence[ContactNumbers], units: Units = METRIC) -> 
     ]
     load = units.force.written(pocket[0].load, ".4g")
     series = sheet_in_series(*pocket)
-    notes = []
+    notes = [f"At {load}, the largest ball-cage force of the 6205 in [Paper]."] if pocket[0].load == POCKET_LOAD else []
     if series is not None:
         sheet = units.tangent.written(series.stiffness, ".4g")
         notes.append(f"Sheet in series with the seat: {sheet} +- {series.uncertainty:.2%}, for cage.sheet_stiffness.")

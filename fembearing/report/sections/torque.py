@@ -35,10 +35,11 @@ from fembearing.report.torque import cage_motion
 if TYPE_CHECKING:  # a torque alone needs no solver, which the report of a check loads
     from fembearing.report.report import ChangeRecord, Report
 
+LEAST_PART = 1e-4  # relative; less of the model's uncertainty is not named
 METHODS = ("loads", "contacts", "sliding", "kinematics", "cage")
 OF_CHECK = "Torque at every operating point"
 CHANGES = (
-    "The total excludes neglected effects: see the table of effects. Changes: equilibrium and slip power with a, b, "
+    "The table of effects says what the total lacks. Changes: equilibrium and slip power with a, b, "
     "delta and K by finite elements in place of production."
 )
 PARTS = {  # with their names in a terminal
@@ -214,7 +215,7 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
     """
     if model is None:
         return f"Model uncertainty: not known without oil. {MEASURED}"
-    named = ", ".join(f"{MODEL_PARTS[name]} {100 * part:.2g} %" for name, part in parts.items() if part > 0)
+    named = ", ".join(f"{MODEL_PARTS[name]} {100 * part:.2g} %" for name, part in parts.items() if part > LEAST_PART)
     return (
         f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Not included: oil data "
         f"and inputs. {MEASURED}"
