@@ -102,7 +102,7 @@ def test_a_cage_at_rest_by_its_closed_form_has_a_reason_in_place_of_a_figure() -
     assert cage_plot(as_document({"cage_records": [], "torque": {}})) == (
         None,
         "No motion of the cage: the torque has the closed form of a cage at rest on its balls, or no cage. The motion "
-        "is computed for a scene with a cage and its start, if it exceeds the tolerance.",
+        "is computed for a scene with cage.start, where the cage can leave its rest.",
     )
     assert (
         cage_plot(as_document({"cage_records": [], "torque": None}))[1]
