@@ -16,7 +16,7 @@ from analytic.errors import FembearingError, InputError
 from analytic.given import SceneOptions
 from analytic.labelled import Labelled, dataset_of, frame_of
 from analytic.left_out import Places
-from analytic.makers import BesideCatalogue, CatalogueBand, beside_catalogue, of_open_bearing
+from analytic.makers import BesideCatalogue, beside_catalogue
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.progress import Progress, silent
 from analytic.result import POINT, FrictionTorque
@@ -26,7 +26,7 @@ from analytic.standing import Standing, standing_of
 from analytic.torque import friction_torque
 from analytic.units import SYSTEMS, oil_words
 from analytic.verdicts import Verdicts, numerical_check, physical_checks
-from analytic.words import MICROMETRE, NEWTON_MILLIMETRE
+from analytic.words import NEWTON_MILLIMETRE
 
 if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import, and Matplotlib
     from matplotlib.figure import Figure
@@ -95,30 +95,16 @@ class SceneTorque(Brief):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What else to know of the torque, a sentence each: film ratio, catalogue band, other balls. None is judged."""
-        return tuple(self._notes())
-
-    def _notes(self) -> Iterator[str]:
-        films, roughness = self.friction.film, self.friction.gap_roughness
-        runs = self.friction.inner_speed.any()  # no film at standstill
-        if runs and roughness is not None and films.inner is not None and films.outer is not None:
-            ratios = [f"{_span(film / roughness, '.2g')} on the {race}" for race, film in vars(films).items()]
-            yield (
-                f"Film ratio lambda, the film over the rms roughness of ball and race together, "
-                f"{MICROMETRE.written(roughness, '.3g')}: {' and '.join(ratios)} race, of the heaviest ball."
-            )
-        band, total = self.catalogue.band, self.friction.torque.total
-        if band is not None:
-            compared, words = of_open_bearing(self.friction.torque)
-            yield f"The torque {f'{words} ' if words else ''}is {_place(compared, band)}."
+        """What else to know of the torque, a sentence each: other balls. None is judged."""
         other, given = self.scene.bearing.other_candidate, self.scene.bearing
-        if other is not None and self.other_candidate is not None:
-            first, second = total, self.other_candidate.torque.total
-            yield (
-                f"The ratings of {given.name} fit {_balls(other)} nearly as well as {_balls(given)}: the torque is "
-                f"then {_span(second * 1e3, '.4g')} N mm, not {_span(first * 1e3, '.4g')} N mm "
-                f"({_span(100 * (second / first - 1), '+.2g')} %)."
-            )
+        if other is None or self.other_candidate is None:
+            return ()
+        first, second = self.friction.torque.total, self.other_candidate.torque.total
+        return (
+            f"The ratings of {given.name} fit {_balls(other)} nearly as well as {_balls(given)}: the torque is "
+            f"then {_span(second * 1e3, '.4g')} N mm, not {_span(first * 1e3, '.4g')} N mm "
+            f"({_span(100 * (second / first - 1), '+.2g')} %).",
+        )
 
     def columns(self) -> dict[str, Labelled]:
         """Every number that stands at each operating point, SI: the points, and what is computed and known there.
@@ -126,7 +112,7 @@ class SceneTorque(Brief):
         NaN at the points that have no torque.
         """
         known = self.places.columns(self.friction.columns() | dict(self._beside()))
-        return {name: Labelled((POINT,), values, (COORDINATES | COLUMNS)[name]) for name, values in known.items()}
+        return {name: Labelled((POINT,), values, COLUMNS[name]) for name, values in known.items()}
 
     @cached_property
     def points(self) -> tuple[Point, ...]:
@@ -197,17 +183,6 @@ class SceneTorque(Brief):
 
 def _balls(bearing: Bearing) -> str:
     return f"{bearing.ball_count} balls of {bearing.ball_diameter * 1e3:.4g} mm"
-
-
-def _place(total: Array, band: CatalogueBand) -> str:
-    """Where the torque lies by the catalogue band, in words."""
-    outside = band.sides(total)
-    if not outside:
-        return "within the catalogue band"
-    if total.size == 1:
-        return f"{next(iter(outside))} the catalogue band"
-    where = " and ".join(f"{side} it at {count}" for side, count in outside.items())
-    return f"outside the catalogue band: {where} of {total.size} operating points"
 
 
 def _span(values: Array, form: str) -> str:

@@ -9,7 +9,7 @@ from analytic.columns import COLUMNS, COORDINATES
 from analytic.prediction.duty import DutyCycle
 from analytic.scene import Scene
 from analytic.standing import WorstStanding
-from analytic.units import SYSTEMS, unit_for
+from analytic.units import SYSTEMS
 from analytic.writing import write
 from fembearing.check.cost.scene_cost import Cost
 from fembearing.check.creep.scene_creep import SceneCreep
@@ -88,7 +88,7 @@ def compared_files(comparison: MeasuredComparison, scene: Scene) -> dict[str, st
     origin = provenance_of(scene, seeds={"samples beside the measured torques": [comparison.seed]})
     sections = measured_sections(comparison, units, [drawing_of(figure, caption_of(comparison))])
     warnings = [Section("Warnings", [Bullets(comparison.warnings)])] if comparison.warnings else []
-    columns = {name: (unit_for(column.unit, 0.0), values) for name, (_, values, column) in comparison.columns().items()}
+    columns = {name: (column.shown(), values) for name, (_, values, column) in comparison.columns().items()}
     table = csv_of_columns(
         columns,
         first={ROW: range(1, len(comparison.rows) + 1)},

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from fembearing.report.report import PictureFile, Report
     from fembearing.report.sections.validation import Drawn
 
+NOTHING: "Drawn" = MappingProxyType({})
 CHECKED = 0.75  # of the whole job, when the contacts are solved and the report is still to be written
 
 
@@ -127,7 +128,7 @@ def write_report(result: Validation, folder: Path) -> "tuple[Validation, Report]
     return result, document
 
 
-def report_page(document: "Report", drawn: "Drawn" = MappingProxyType({})) -> str:
+def report_page(document: "Report", drawn: "Drawn" = NOTHING) -> str:
     """The page of a check;  drawn : plots and pictures, by the name of their section"""
     from fembearing.report.page.document import page_of
     from fembearing.report.sections.validation import report_sections

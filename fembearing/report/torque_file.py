@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,8 +16,12 @@ from fembearing.provenance import provenance_of
 from fembearing.report.document import Bullets, Section
 from fembearing.report.torque import content_of
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 CAPTION = "Friction torque by effect, with the 95 % interval of the total and the formulas of makers, as far as known."
 Content = Callable[[SceneTorque], bytes]
+IMAGES = (".png", ".svg", ".pdf")
 ComparedContent = Callable[[Mapping[str, SceneTorque]], bytes]  # by the name of the scene
 
 
@@ -65,25 +69,11 @@ def numbers_file(result: SceneTorque, **more: Any) -> bytes:
     return json_of("torque", content_of(result), **more, run=provenance_of(result.scene)).encode()
 
 
-def figure_file(result: SceneTorque) -> bytes:
-    """The figure as PNG."""
-    from fembearing.report.figures.style import png  # with matplotlib: only a figure pays for it
+def image_of(figure: "Figure", ending: str) -> bytes:
+    """A figure as a file of one of IMAGES."""
+    from fembearing.report.figures.style import pdf, png, svg  # with matplotlib: only a figure pays for it
 
-    return png(result.plot())
-
-
-def vector_file(result: SceneTorque) -> bytes:
-    """The figure as SVG."""
-    from fembearing.report.figures.style import svg
-
-    return svg(result.plot())
-
-
-def printed_file(result: SceneTorque) -> bytes:
-    """The figure as PDF."""
-    from fembearing.report.figures.style import pdf
-
-    return pdf(result.plot())
+    return {".png": png, ".svg": svg, ".pdf": pdf}[ending](figure)
 
 
 def page_file(result: SceneTorque) -> bytes:
@@ -101,12 +91,10 @@ def page_file(result: SceneTorque) -> bytes:
 
 def compared_content(target: Path) -> ComparedContent:
     """What a file of this name holds of several scenes. Raises InputError for any other than table and figure."""
-    from fembearing.report.figures.style import pdf, png, svg
-
-    if target.suffix.casefold() == ".csv":
+    ending = target.suffix.casefold()
+    if ending == ".csv":
         return lambda results: csv_of(results).encode()
-    image = {".png": png, ".svg": svg, ".pdf": pdf}.get(target.suffix.casefold())
-    if image is None:
+    if ending not in IMAGES:
         raise InputError(
             f"--out {str(target)!r} takes one scene: give one, or for several a file that ends with .csv, .png, .svg "
             "or .pdf"
@@ -116,17 +104,19 @@ def compared_content(target: Path) -> ComparedContent:
     def content(results: Mapping[str, SceneTorque]) -> bytes:
         from fembearing.report.figures.torque import compared_figure
 
-        return image(compared_figure({name: result.drawn for name, result in results.items()}))
+        return image_of(compared_figure({name: result.drawn for name, result in results.items()}), ending)
 
     return content
+
+
+def _drawn_as(ending: str) -> Content:
+    return lambda result: image_of(result.plot(), ending)
 
 
 CONTENTS: Mapping[str, Content] = {
     ".csv": table_file,
     ".json": numbers_file,
-    ".png": figure_file,
-    ".svg": vector_file,
-    ".pdf": printed_file,
+    **{ending: _drawn_as(ending) for ending in IMAGES},
     ".html": page_file,
 }
 

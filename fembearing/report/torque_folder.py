@@ -17,7 +17,7 @@ from analytic.scene import Scene
 from analytic.scene_torque import Samples, SceneTorque, torque_of_scene
 from analytic.units import METRIC
 from analytic.writing import being_written, new_file, new_folder, require_utf8, write
-from fembearing.report.torque_file import figure_file, numbers_file, table_file, vector_file, writer_of
+from fembearing.report.torque_file import image_of, numbers_file, table_file, writer_of
 
 if TYPE_CHECKING:
     from analytic.prediction.prediction import Prediction
@@ -96,8 +96,8 @@ def write_torque(
     if result.prediction is not None:
         _write_prediction(result.prediction, folder)
     write(folder / "torque.csv", table_file(result))
-    write(folder / "torque.png", figure_file(result))
-    write(folder / "torque.svg", vector_file(result))
+    for ending in (".png", ".svg"):
+        write(folder / f"torque{ending}", image_of(result.plot(), ending))
     motion = {"points": written, "lacking": lacking}
     write(folder / "torque.json", numbers_file(result, cage_motion=motion))
     return lacking

@@ -59,3 +59,9 @@ def test_the_verdict_is_that_of_the_torque_at_the_worst_steps(command: Run, tmp_
     assert found.status == 1
     standing = json.loads(found.out)["standing"]
     assert f"{standing['word']} at {standing['points']} of {standing['size']} turning steps" == line.split(":")[0]
+
+
+def test_the_terminal_has_the_units_that_are_asked_for(command: Run) -> None:
+    said = command("duty", *QUICK, "--units", "inch").out
+    assert "lbf in" in said
+    assert "N mm" not in said

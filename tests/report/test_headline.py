@@ -16,7 +16,6 @@ from fembearing.report.sections.headline import (
     headline_section,
     headline_table,
     side_by_side,
-    span_of,
     split_of,
     torque_headline,
 )
@@ -106,7 +105,7 @@ def test_a_long_series_is_told_by_six_of_its_points_with_both_ends(series: Scene
 
 
 def test_a_series_is_told_from_its_least_to_its_greatest(series: SceneTorque) -> None:
-    found, totals = span_of(series), 1e3 * series.friction.torque.total
+    found, totals = torque_headline(series), 1e3 * series.friction.torque.total
     low, high = 1e3 * present(series.interval)
     assert found.torque == f"{totals.min():.4g}-{totals.max():.4g}"
     assert found.interval == f"{low.min():.3g}-{high.max():.3g}"

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -62,15 +62,20 @@ def torque_headline(result: SceneTorque) -> Headline:
     Headline
         In the system of units of the scene.
     """
-    units = SYSTEMS[result.scene.report.units]
-    found = span_of(result, units)
+    return _headline(result, SYSTEMS[result.scene.report.units])
+
+
+def _headline(result: SceneTorque, units: Units) -> Headline:
+    points = [result.points[place] for place in result.places.computed]
+    ends = [each for point in points if (each := ends_of(point)) is not None]
+    known = len(ends) == len(points)
     return Headline(
         title=headline_title(result, units),
-        torque=found.torque,
+        torque=_span([units.torque.number(point["torque_total"]) for point in points], 4, "-"),
         unit=units.torque.name,
-        interval=found.interval,
-        power=found.power,
-        split=found.split,
+        interval=between((min(ends)[0], max(high for _, high in ends)), units.torque) if known else ABSENT,
+        power=_span([point["torque_total"] * abs(point["inner_speed"]) for point in points], 3, "-"),
+        split=split_of(max(points, key=lambda point: point["torque_total"]), declared_by(result)),
         film=film_words(result) or "",
         makers=makers_words(result, units),
         verdict=result.standing.word,
@@ -113,11 +118,12 @@ def headline_section(result: SceneTorque) -> Section:
 
 
 def check_headline(document: "Report") -> Section:
-    """The headline of the torque, the largest difference that each reference shows, and their verdict."""
+    """The headline of the torque, the largest difference from each reference, and the one verdict of the check."""
     torque, verdict = document.solved, document.verdict
     found: Sequence[Block] = [Text(f"{document.scene.name}. {NO_TORQUE}")]
     if torque is not None:
-        found = headline_section(torque).blocks
+        standing = Text(f"torque {torque.standing.word}: {torque.standing.reason}")
+        found = [*headline_section(torque).blocks[:-1], standing]
     measured = [] if document.measured is None else [Text(document.measured.conclusions[0])]
     findings = [Text(finding.words) for finding in document.findings]
     return Section("", [*found, *measured, *findings, Text(verdict.reason, verdict=f"references {verdict.overall}")])
@@ -166,10 +172,10 @@ def side_by_side(results: Mapping[str, SceneTorque], units: Units = METRIC) -> T
     heads += [Head("power, W", fixed=True), Head("made of", "text"), Head("verdict", "verdict")]
     rows, notes = [], []
     for name, result in results.items():
-        rows.append([name, *span_of(result, units), result.standing.word])
-        count = len(result.places.computed)
+        found, count = _headline(result, units), len(result.places.computed)
+        rows.append([name, found.torque, found.interval, found.power, found.split, found.verdict])
         series = "" if count == 1 else f"{count} points, made of: at the highest torque; "
-        notes.append(f"{name}: {series}{result.standing.reason}")
+        notes.append(f"{name}: {series}{found.reason}")
     return table_of("Friction torque", heads, _in_a_line(heads, rows, len(heads) - 2), notes)
 
 
@@ -189,28 +195,6 @@ def _in_a_line(heads: Sequence[Head], rows: Sequence[Row], place: int) -> Sequen
         if sum(widths) + APART * (len(widths) - 1) <= LINE:
             break
     return fitting
-
-
-class Span(NamedTuple):
-    """A torque over its operating points, each from the least to the most."""
-
-    torque: str
-    interval: str
-    power: str  # W
-    split: str  # at the highest torque
-
-
-def span_of(result: SceneTorque, units: Units = METRIC) -> Span:
-    """Torque, interval, power and the largest parts."""
-    points = [result.points[place] for place in result.places.computed]
-    ends = [each for point in points if (each := ends_of(point)) is not None]
-    known = len(ends) == len(points)
-    return Span(
-        torque=_span([units.torque.number(point["torque_total"]) for point in points], 4, "-"),
-        interval=between((min(ends)[0], max(high for _, high in ends)), units.torque) if known else ABSENT,
-        power=_span([point["torque_total"] * abs(point["inner_speed"]) for point in points], 3, "-"),
-        split=split_of(max(points, key=lambda point: point["torque_total"]), declared_by(result)),
-    )
 
 
 def declared_by(result: SceneTorque) -> str:

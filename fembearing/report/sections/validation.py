@@ -1,7 +1,6 @@
 """The check of a scene as a document: the pages that are signed, and the appendices."""
 
 from collections.abc import Callable, Mapping, Sequence
-from types import MappingProxyType
 
 from fembearing.report.document import Block, Drawing, Facts, Section
 from fembearing.report.report import Report
@@ -20,49 +19,6 @@ from fembearing.report.sections.summary import summary_sections
 from fembearing.report.sections.torque import torque_section
 
 Drawn = Mapping[str, Sequence[Block]]  # plots and pictures, by the name of their section
-NOTHING_DRAWN: Drawn = MappingProxyType({})
-
-
-def _drawn_alone(title: str) -> Callable[[Report], Section]:
-    return lambda _: Section(title, [])
-
-
-APPENDICES: Mapping[str, Callable[[Report], Section]] = {  # by name; those without blocks are left out
-    "inputs": inputs_section,
-    "torque": torque_section,
-    "measured": measured_section,
-    "contacts": contacts_section,
-    "pictures": _drawn_alone("Contact pressure"),
-    "film": film_section,
-    "creep": creep_section,
-    "meshes": meshes_section,
-    "ring": ring_section,
-    "cage": cage_section,
-    "sensitivity": _drawn_alone("Sensitivity to inputs"),
-    "cost": cost_section,
-    "next": next_section,
-    "provenance": lambda document: provenance_section(document),
-}
-
-
-def report_sections(document: Report, drawn: Drawn = NOTHING_DRAWN) -> list[Section]:
-    """The whole report."""
-    bearing = [each for each in drawn.get("bearing", ()) if isinstance(each, Drawing)]
-    made = {name: make(document) for name, make in APPENDICES.items()}
-    appendices = [Section(each.title, [*each.blocks, *drawn.get(name, ())], True) for name, each in made.items()]
-    return [*summary_sections(document, bearing), *(each for each in appendices if each.blocks)]
-
-
-def detail_sections(document: Report) -> list[Section]:
-    """What a terminal shows of the report on demand."""
-    torque = document.solved
-    numerical, notes = (None, ()) if torque is None else (torque.verdicts.numerical, torque.notes)
-    return [
-        *(make(document) for make in (contacts_section, film_section, creep_section)),
-        torque_section(document, every=False),
-        measured_section(document),
-        limits_section(document.physical, numerical, notes, document.verdict, document.units),
-    ]
 
 
 def provenance_section(document: Report) -> Section:
@@ -89,3 +45,45 @@ def provenance_section(document: Report) -> Section:
         ),
     ]
     return Section("Provenance", [Facts(rows)])
+
+
+def _drawn_alone(title: str) -> Callable[[Report], Section]:
+    return lambda _: Section(title, [])
+
+
+APPENDICES: Mapping[str, Callable[[Report], Section]] = {  # by name; those without blocks are left out
+    "inputs": inputs_section,
+    "torque": torque_section,
+    "measured": measured_section,
+    "contacts": contacts_section,
+    "pictures": _drawn_alone("Contact pressure"),
+    "film": film_section,
+    "creep": creep_section,
+    "meshes": meshes_section,
+    "ring": ring_section,
+    "cage": cage_section,
+    "sensitivity": _drawn_alone("Sensitivity to inputs"),
+    "cost": cost_section,
+    "next": next_section,
+    "provenance": provenance_section,
+}
+
+
+def report_sections(document: Report, drawn: Drawn) -> list[Section]:
+    """The whole report."""
+    bearing = [each for each in drawn.get("bearing", ()) if isinstance(each, Drawing)]
+    made = {name: make(document) for name, make in APPENDICES.items()}
+    appendices = [Section(each.title, [*each.blocks, *drawn.get(name, ())], True) for name, each in made.items()]
+    return [*summary_sections(document, bearing), *(each for each in appendices if each.blocks)]
+
+
+def detail_sections(document: Report) -> list[Section]:
+    """What a terminal shows of the report on demand."""
+    torque = document.solved
+    numerical, notes = (None, ()) if torque is None else (torque.verdicts.numerical, torque.notes)
+    return [
+        *(make(document) for make in (contacts_section, film_section, creep_section)),
+        torque_section(document, every=False),
+        measured_section(document),
+        limits_section(document.physical, numerical, notes, document.verdict, document.units),
+    ]
