@@ -92,7 +92,7 @@ BY_PAIR = 1e-3  # accuracy for which levels of the pair's compliance are shown
 # contacts cut off at a shoulder were not compared.
 LEVEL_BOUNDS = {1: 0.105, 2: 0.01, 3: 0.0021, 4: 0.0008}
 # The same of the compliance of a pair: the errors of 19 random races and pockets, seeds 100 to 118 of
-# validation/intervals/twin.py, were up to 0.0052 and 0.0005.
+# validation/intervals/levels.py, were up to 0.0052 and 0.0005.
 COMPLIANCE_BOUNDS = {1: 0.008, 2: 0.001}
 
 
