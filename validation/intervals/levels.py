@@ -1,17 +1,19 @@
 """Do intervals by the compliance of a pair hold? python validation/intervals/levels.py [--contacts 240] [--seed 50400]
 
 Solves random contacts of true shape by the compliance of the pair on the levels 1, 2 and 3, as `solve_reference` does,
-and compares semi-axes, peak pressure and approach with plain meshes of the levels 3, 4 and 5 on the same block, which
-are extrapolated with the order that they show. Half spaces have no part in that. Prints how often the interval of the
-levels contains the extrapolated value, from two levels, from three, and from those that 0.2, 0.1 and 0.05 % take, and
-how large errors and intervals are, and writes a row for each contact. Where 0.05 % takes the fourth level, the third is
-counted. One of eight contacts is a pocket, whose approach has no limit and is left out; of the others, half have
-shoulders from 1.06 to 2 semi-axes away, at contact angles up to 40 degrees. The effect of the far boundary is the same
-in both and is not tested here: validation/benchmarks/intervals.py does that. An interrupted run continues where it
-stopped.
+and compares semi-axes, peak pressure and approach with nodal contact on the meshes of the levels 3 and 4, on the same
+block. There each quantity is corrected by two half spaces on the same cells, pressed to the same ellipse, whose exact
+answer is known, and extrapolated. Plain meshes of the levels 2, 3 and 4, extrapolated with the order that they show,
+have no half spaces; they are uncertain by 0.03 %, and the largest distance of the reference from them is printed.
+Prints how often the interval of the levels contains the reference, from two levels, from three, and from those that
+0.2, 0.1 and 0.05 % take, and how large errors and intervals are, and writes a row for each contact. Where 0.05 % takes
+the fourth level, the third is counted. One of eight contacts is a pocket, whose approach has no limit and is left out;
+of the others, half have shoulders from 1.06 to 2 semi-axes away, at contact angles up to 40 degrees. The effect of the
+far boundary is the same in both and is not tested here: validation/benchmarks/intervals.py does that. An interrupted
+run continues where it stopped.
 
 The constants of `fembearing.check.contact.reference` were chosen on seeds 100 to 118 and 50000 to 50037; all others
-test them. Plain levels are themselves uncertain by some 0.01 %; the levels 2, 3 and 4 by 0.03 %.
+test them.
 """
 
 import time
@@ -29,9 +31,13 @@ from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.meshed_region import Boundary
 from fembearing.check.contact.reference import ends_before_shoulder, estimates_of_pair, on_level
 from fembearing.check.contact.refinement import COMPARED, FORMAL_ORDERS
+from fembearing.fem.contact import press
 from fembearing.fem.guess import expected_semi_axes
+from fembearing.fem.half_space import curvatures_under, exact_quantities
+from fembearing.fem.measure import Quantities, measured_quantities, nodal_pressure, product, ratio, within_ellipse
 from fembearing.fem.pixel_contact import press_pair
-from fembearing.fem.solution import MeshSolution, pressed, solve_on_mesh
+from fembearing.fem.solution import MeshSolution, pressed
+from fembearing.fem.twin import QUARTERS, twin_of
 from fembearing.grid_convergence import UNSTEADY, observed_order
 from fembearing.mesh.recipe import load_recipe
 from validation.study import Out, Row, continued, numbers, out, run, show
@@ -51,12 +57,14 @@ SHAPE = ("pair", "ball", "race", "conformity", "size", "axis_ratio", "shoulder",
 COLUMNS = (
     *("seed", *SHAPE),
     *(f"{name}_{part}_{level}" for level in (2, 3) for name in COMPARED for part in ("error", "stated")),
+    *(f"{name}_plain" for name in COMPARED),
     *("seconds", "trouble"),
 )
 POCKETS = 8  # one of so many seeds is a pocket
 LARGEST = 0.42  # semi-axis over the ball's radius
 ACCURACIES = (2e-3, 1e-3, 5e-4)
-FINER = 4, 5  # levels of the plain meshes besides the third
+OF_TWIN = 4.0  # order of what half spaces leave
+ROUNDS = 3  # the ellipse of the half spaces follows from their own factors
 ORDERS = (2.5, 5.0)  # least and greatest order with which plain levels are extrapolated
 
 
@@ -124,12 +132,11 @@ def compared(seed: int) -> Row:
     if not ends_before_shoulder(contact):
         return row | {"trouble": "plain levels"}
     try:
-        for level in RECIPE.levels[:3]:
+        for level in RECIPE.levels:
             on = on_level([contact], [axes], recipe=RECIPE, level=level)
             solved.append(press_pair(on.compliance.at(contact.load), load=contact.load))
             plain.append(pressed(on.bodies[0], load=contact.load, expected=axes))
             axes = solved[-1].semi_axes
-        plain += [solve_on_mesh(contact, recipe=RECIPE, level=level, semi_axes=axes) for level in FINER]
     except FembearingError as problem:
         return row | {"trouble": " ".join(str(problem).split())}
     row |= {
@@ -139,7 +146,12 @@ def compared(seed: int) -> Row:
         "shoulder": f"{contact.nearer_shoulder / axes[1]:.2f}",
     }
     whole = dict.fromkeys(FORMAL_ORDERS, Boundary())
-    for name, truth in extrapolated(plain[2:]).items():
+    before, last = (product(mesh.quantities, factors_of(mesh)) for mesh in plain[2:])
+    coarser = extrapolated(plain[1:])
+    for name in COMPARED:
+        corrected = getattr(last, name)
+        truth = corrected + (corrected - getattr(before, name)) / ((plain[3].level / plain[2].level) ** OF_TWIN - 1)
+        row[f"{name}_plain"] = f"{coarser[name] / truth - 1:.2e}"
         for count in (2, 3):  # from the first two levels, and from the second and third
             found = estimates_of_pair(solved[:count], whole, recipe=RECIPE)[name]
             row |= {
@@ -147,6 +159,32 @@ def compared(seed: int) -> Row:
                 f"{name}_stated_{count}": f"{found.mesh:.2e}",
             }
     return row | {"seconds": f"{time.process_time() - start:.1f}", "trouble": ""}
+
+
+def factors_of(mesh: MeshSolution) -> Quantities:
+    """Exact over computed of each quantity of two half spaces on the cells of a mesh, in an ellipse of that size."""
+    pair, (rolling, _) = mesh.pair, mesh.pair.semi_axes
+    twin = twin_of(mesh.contact, recipe=RECIPE, level=mesh.level, footprint=pair.footprint)
+    x, y = (pair.upper.mesh.doflocs[axis, pair.upper.touching] / rolling for axis in range(2))
+    mass = mesh.bodies.mass / rolling**2
+    found = mesh.quantities
+    ellipse = found.semi_axis_rolling / rolling, found.semi_axis_transverse / rolling
+    factors = ratio(found, found)
+    for _ in range(ROUNDS):
+        axes = ellipse[0] * factors.semi_axis_rolling, ellipse[1] * factors.semi_axis_transverse
+        curved = curvatures_under(axes, load=1.0, modulus=1.0)
+        force, approach, _ = press(
+            compliance=twin.compliance,
+            drift=QUARTERS * twin.drift,
+            gap=(curved[0] * x**2 + curved[1] * y**2) / 2,
+            lever=np.ones_like(x),
+            load=1 / QUARTERS,
+            start=within_ellipse(x, y, axes),
+        )
+        area = np.asarray(mass.sum(axis=1)).ravel()
+        flat = measured_quantities(x, y, force, nodal_pressure(force, mass), area, load=1.0, approach=approach)
+        factors = ratio(exact_quantities(axes, load=1.0, modulus=1.0), flat)
+    return factors
 
 
 def extrapolated(meshes: Sequence[MeshSolution]) -> dict[str, float]:
@@ -188,6 +226,10 @@ def report(rows: list[Row]) -> None:
             for name, each, wide in zip(COMPARED, error, width, strict=True)
         )
         out.print(f"{accuracy:.2%} asked: {'; '.join(held)}; {np.sum(~second)} contacts on the third level")
+    plain = np.abs([numbers(solved, f"{name}_plain") for name in COMPARED])
+    plain[COMPARED.index("approach"), pocket] = np.nan
+    farthest = ", ".join(f"{np.nanmax(each):.3%}" for each in plain)
+    out.print(f"farthest from plain levels 2, 3 and 4, extrapolated, in the order of the table: {farthest}")
     for row in rows:
         if row["trouble"]:
             out.print(f"seed {row['seed']}, {row['pair']}: {row['trouble']}")
