@@ -48,29 +48,18 @@ class SlidingLaw:
         stress, slope = np.minimum(reach, self.steady), (reach <= self.steady).astype(float)
         if not np.any(self.eyring):
             return stress, slope
-        if self.own != 0.0:
-            return self._resist_by_own(reach, stiffness)
-        most = np.minimum(self.limit / self.eyring, LARGEST_SINH)
-        slides = reach > self.steady
-        rest = np.where(slides, reach - self.steady, 0.0)
-        limited = rest >= self.limit + stiffness * np.sinh(most) / self.fluidity
-        y = _flowing(rest * self.fluidity / stiffness, self.eyring * self.fluidity / stiffness, most)
-        flows = slides & ~limited
-        oil = np.where(limited, self.limit, self.eyring * y)
-        yields = self.eyring / (self.eyring + stiffness * np.cosh(y) / self.fluidity)
-        return stress + np.where(slides, oil, 0.0), np.where(flows, yields, slope)
-
-    def _resist_by_own(self, reach: Array, stiffness: Array) -> tuple[Array, Array]:
-        """`resist` by a user's law: it flows as if it had no limit where that needs less than the limit."""
-        stress, slope = np.minimum(reach, self.steady), (reach <= self.steady).astype(float)
         slides = reach > self.steady
         asked = np.where(slides, reach - self.steady, 0.0) * self.fluidity / stiffness
         softness = self.eyring * self.fluidity / stiffness
-        flow, steepness = flow_of(self.own, _rates(asked, softness, self.own))
-        oil = np.minimum(self.eyring * flow, self.limit)
-        yields = softness * steepness / (1 + softness * steepness)
-        flows = slides & (self.eyring * flow < self.limit)
-        return stress + np.where(slides, oil, 0.0), np.where(flows, yields, slope)
+        if self.own == 0.0:
+            most = np.minimum(self.limit / self.eyring, LARGEST_SINH)
+            flow = _flowing(asked, softness, most)
+            flows, steepness = flow < most, 1 / np.cosh(flow)
+        else:  # as if it had no limit, where that needs less than the limit
+            flow, steepness = flow_of(self.own, _rates(asked, softness, self.own))
+            flows = self.eyring * flow < self.limit
+        oil, yields = np.where(flows, self.eyring * flow, self.limit), softness * steepness / (1 + softness * steepness)
+        return stress + np.where(slides, oil, 0.0), np.where(slides & flows, yields, slope)
 
 
 def _rates(asked: Array, softness: Array, own: float) -> Array:
@@ -146,7 +135,7 @@ def settle(matrix: Array, slip: Array, law: SlidingLaw, *, stiffness: Array, pat
     keeps = np.eye(len(matrix), dtype=np.float32) - (twice * matrix).astype(np.float32)  # steps need no more digits
     factor = _factor(keeps, slopes)
     for number in range(1, MOST_STEPS + 1):
-        step, share, size = -_over(factor, left), 1.0, np.sum(left**2)
+        step, share, size = -sgetrs(*factor, left, trans=True)[0].astype(float), 1.0, np.sum(left**2)
         step_moved = matrix @ step
         while True:
             trial, trial_moved = traction + share * step, moved + share * step_moved
@@ -160,7 +149,7 @@ def settle(matrix: Array, slip: Array, law: SlidingLaw, *, stiffness: Array, pat
             answer = np.zeros_like(patterns)
             for _ in range(2):  # as the factors are those of a step before
                 reach = answer - twice * (patterns + matrix @ answer)
-                answer -= _over(factor, answer - _turned(slopes, reach))
+                answer -= sgetrs(*factor, answer - _turned(slopes, reach), trans=True)[0]
             return Settled(traction=traction, slip=slip + moved, response=answer, steps=number)
         if np.sum(left**2) > SLOW**2 * size:
             factor = _factor(keeps, slopes)
@@ -199,7 +188,3 @@ def _factor(keeps: NDArray[np.float32], slopes: Array) -> tuple[NDArray[np.float
     """Of 1 - R' times `keeps`, transposed, which is the order of Fortran."""
     tangent = np.eye(len(keeps), dtype=np.float32) - _turned(slopes.astype(np.float32), keeps)
     return sgetrf(tangent.T, overwrite_a=True)[:2]
-
-
-def _over(factor: tuple[NDArray[np.float32], NDArray[np.int32]], vectors: Array) -> Array:
-    return sgetrs(*factor, vectors, trans=True)[0].astype(float)
