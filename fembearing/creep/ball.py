@@ -31,7 +31,7 @@ NEARLY = 1e-3  # likewise: from here on the slip is taken at the same places, so
 # first is for a start that is near, the others are tried where one before ends short.
 WAYS = (), (100.0, 10.0), (1e3, 300.0, 100.0, 30.0, 10.0, 5.0, 2.5, 1.5)
 ROUGHLY = 1e-2  # what the ball may lack before the last
-LEAST_SHARE = 1 / 128  # of a step
+LEAST_SHARE = 1 / 128  # of the longest step
 MOST_CHANGE, TINY = 0.5, 1e-300  # of the slip of a contact by a step
 LEAST_GAIN = 0.1  # of what the ball lacks, by a whole step
 DIFFERENCE = 1e-6  # of the ball's radius, or of a hundredth of the groove's length, for derivatives of the equations
@@ -335,7 +335,8 @@ class _Search(NamedTuple):
             follows = follows and lacks > NEARLY * met.friction
             step = self.step(state, met)
             share = min(1.0, 4 * share, self.longest(state, step))
-            while share >= LEAST_SHARE:
+            least = LEAST_SHARE * share
+            while share >= least:
                 trial = self.moved(state, share * step)
                 try:
                     there = self.met(trial, met, follows)

@@ -6,17 +6,21 @@ the disk of radius mu p. Newton's method with a line search solves this; it is s
 """
 
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
-from scipy.linalg import lu_factor, lu_solve
+from numpy.typing import NDArray
+from scipy.linalg.lapack import sgetrf, sgetrs
 
 from analytic.errors import ConvergenceError
 from analytic.oil.traction import PointLaw, flow_of, flow_under
 from analytic.scene import Array
 
+Real = TypeVar("Real", bound=np.floating)
 MOST_STEPS = 60  # 5 to 20 are usual
 SETTLED = 1e-10  # of the largest traction
 LEAST_SHARE = 1 / 64  # of a step
+SLOW = 0.2  # of what was left: what a step leaves for which the derivatives are computed again
 SOLID = 1e250  # s/m: oil of this fluidity shears at its limit
 LARGEST_SINH = 700.0  # argument that still has a double
 LEAST_RATE = 1e-290  # of shear by a user's law
@@ -44,29 +48,18 @@ class SlidingLaw:
         stress, slope = np.minimum(reach, self.steady), (reach <= self.steady).astype(float)
         if not np.any(self.eyring):
             return stress, slope
-        if self.own != 0.0:
-            return self._resist_by_own(reach, stiffness)
-        most = np.minimum(self.limit / self.eyring, LARGEST_SINH)
-        slides = reach > self.steady
-        rest = np.where(slides, reach - self.steady, 0.0)
-        limited = rest >= self.limit + stiffness * np.sinh(most) / self.fluidity
-        y = _flowing(rest * self.fluidity / stiffness, self.eyring * self.fluidity / stiffness, most)
-        flows = slides & ~limited
-        oil = np.where(limited, self.limit, self.eyring * y)
-        yields = self.eyring / (self.eyring + stiffness * np.cosh(y) / self.fluidity)
-        return stress + np.where(slides, oil, 0.0), np.where(flows, yields, slope)
-
-    def _resist_by_own(self, reach: Array, stiffness: Array) -> tuple[Array, Array]:
-        """`resist` by a user's law: it flows as if it had no limit where that needs less than the limit."""
-        stress, slope = np.minimum(reach, self.steady), (reach <= self.steady).astype(float)
         slides = reach > self.steady
         asked = np.where(slides, reach - self.steady, 0.0) * self.fluidity / stiffness
         softness = self.eyring * self.fluidity / stiffness
-        flow, steepness = flow_of(self.own, _rates(asked, softness, self.own))
-        oil = np.minimum(self.eyring * flow, self.limit)
-        yields = softness * steepness / (1 + softness * steepness)
-        flows = slides & (self.eyring * flow < self.limit)
-        return stress + np.where(slides, oil, 0.0), np.where(flows, yields, slope)
+        if self.own == 0.0:
+            most = np.minimum(self.limit / self.eyring, LARGEST_SINH)
+            flow = _flowing(asked, softness, most)
+            flows, steepness = flow < most, 1 / np.cosh(flow)
+        else:  # as if it had no limit, where that needs less than the limit
+            flow, steepness = flow_of(self.own, _rates(asked, softness, self.own))
+            flows = self.eyring * flow < self.limit
+        oil, yields = np.where(flows, self.eyring * flow, self.limit), softness * steepness / (1 + softness * steepness)
+        return stress + np.where(slides, oil, 0.0), np.where(slides & flows, yields, slope)
 
 
 def _rates(asked: Array, softness: Array, own: float) -> Array:
@@ -92,9 +85,9 @@ def _flowing(asked: Array, softness: Array, most: Array) -> Array:
     """The root of sinh(y) + softness y = asked, from above, where the left side is convex."""
     y = np.minimum(np.minimum(np.arcsinh(asked), asked / (1 + softness)), most)
     for _ in range(MOST_STEPS):
-        step = (np.sinh(y) + softness * y - asked) / (np.cosh(y) + softness)
+        last, step = y, (np.sinh(y) + softness * y - asked) / (np.cosh(y) + softness)
         y = np.clip(y - step, 0.0, most)
-        if np.all(np.abs(step) <= 1e-14 * np.maximum(y, 1.0)):  # a few roundings
+        if np.all(np.abs(y - last) <= 1e-14 * np.maximum(y, 1.0)):  # a few roundings
             break
     return y
 
@@ -106,12 +99,13 @@ def sliding_law(law: PointLaw, *, pressure: Array, speed: float) -> SlidingLaw:
     """
     flat = pressure.ravel().astype(float)
     steady, limit = law.boundary * flat + law.plain * (flat > 0), law.limit * flat
-    fluidity, eyring = np.array([flow_under(law, each) for each in flat.tolist()]).T
-    resists = speed > 0.0 and law.fluidity > 0.0  # standing oil does not
+    fluidity = eyring = np.zeros_like(flat)
+    if speed > 0.0 and law.fluidity > 0.0:  # standing oil does not resist
+        fluidity, eyring = np.array([flow_under(law, each) for each in flat.tolist()]).T
     return SlidingLaw(
         steady=steady,
         limit=limit,
-        eyring=eyring if resists else np.zeros_like(flat),
+        eyring=eyring,
         fluidity=speed * np.minimum(fluidity, SOLID),
         own=float(law.own),
     )
@@ -137,16 +131,12 @@ def settle(matrix: Array, slip: Array, law: SlidingLaw, *, stiffness: Array, pat
     """
     traction, moved = start, matrix @ start
     found, slopes = _resolved(traction, slip + moved, law, stiffness)
-    left = traction - found
-    for number in range(MOST_STEPS):
-        factor = lu_factor(_tangent(matrix, slopes, stiffness), overwrite_a=True, check_finite=False)
-        largest = np.max(np.abs(traction), initial=0.0)
-        if np.max(np.abs(left)) <= SETTLED * largest or not np.any(left):
-            asked = _turned(slopes * stiffness, patterns)
-            answer = -lu_solve(factor, asked, check_finite=False)
-            return Settled(traction=traction, slip=slip + moved, response=answer, steps=number)
-        step = -lu_solve(factor, left, check_finite=False)
-        step_moved, share, size = matrix @ step, 1.0, np.sum(left**2)
+    left, twice = traction - found, np.tile(stiffness, 2)[:, None]
+    keeps = np.eye(len(matrix), dtype=np.float32) - (twice * matrix).astype(np.float32)  # steps need no more digits
+    factor = _factor(keeps, slopes)
+    for number in range(1, MOST_STEPS + 1):
+        step, share, size = -sgetrs(*factor, left, trans=True)[0].astype(float), 1.0, np.sum(left**2)
+        step_moved = matrix @ step
         while True:
             trial, trial_moved = traction + share * step, moved + share * step_moved
             found, slopes = _resolved(trial, slip + trial_moved, law, stiffness)
@@ -155,6 +145,14 @@ def settle(matrix: Array, slip: Array, law: SlidingLaw, *, stiffness: Array, pat
                 break
             share /= 2
         traction, moved = trial, trial_moved
+        if np.max(np.abs(left)) <= SETTLED * np.max(np.abs(traction)):
+            answer = np.zeros_like(patterns)
+            for _ in range(2):  # as the factors are those of a step before
+                reach = answer - twice * (patterns + matrix @ answer)
+                answer -= sgetrs(*factor, answer - _turned(slopes, reach), trans=True)[0]
+            return Settled(traction=traction, slip=slip + moved, response=answer, steps=number)
+        if np.sum(left**2) > SLOW**2 * size:
+            factor = _factor(keeps, slopes)
     raise ConvergenceError(
         iterations=MOST_STEPS,
         residual=float(np.max(np.abs(left))),
@@ -178,7 +176,7 @@ def _resolved(traction: Array, slip: Array, law: SlidingLaw, stiffness: Array) -
     return np.concatenate([over * x, over * y]), slopes
 
 
-def _turned(slopes: Array, vectors: Array) -> Array:
+def _turned(slopes: NDArray[Real], vectors: NDArray[Real]) -> NDArray[Real]:
     """R' times vectors, (2 n, k)."""
     n = slopes.shape[1]
     x, y = vectors[:n], vectors[n:]
@@ -186,13 +184,7 @@ def _turned(slopes: Array, vectors: Array) -> Array:
     return np.concatenate([xx * x + xy * y, xy * x + yy * y])
 
 
-def _tangent(matrix: Array, slopes: Array, stiffness: Array) -> Array:
-    """1 - R' (1 - rho M)."""
-    n = stiffness.size
-    tangent = _turned(slopes * stiffness, matrix)
-    index = np.arange(n)
-    tangent[index, index] += 1 - slopes[0]
-    tangent[index, index + n] -= slopes[1]
-    tangent[index + n, index] -= slopes[1]
-    tangent[index + n, index + n] += 1 - slopes[2]
-    return tangent
+def _factor(keeps: NDArray[np.float32], slopes: Array) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
+    """Of 1 - R' times `keeps`, transposed, which is the order of Fortran."""
+    tangent = np.eye(len(keeps), dtype=np.float32) - _turned(slopes.astype(np.float32), keeps)
+    return sgetrf(tangent.T, overwrite_a=True)[:2]

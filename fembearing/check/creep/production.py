@@ -249,11 +249,9 @@ def _marched(contact: Record, slip: RigidSlip, quadrature: Record) -> RaceFricti
         march_strips(contact, flow, as_record(part[0]), flows, state)
         _, cosine, weight = quadrature["along"][:, k]
         areas[:, k] = width * float(contact.semi_axis_rolling) * cosines * weight * cosine
-        for j in range(count):
-            pressure = peak_pressure(contact) * cosines[j] * cosine
-            shear = shear_at(contact, pressure, *flows[k, :, j])
-            least = shear.steady + (shear.limit if shear.most == 0.0 else 0.0)
-            slips[j, k] = state[STRESS + j] >= (1 - SLIDES) * least
+        shear = shear_at(contact, peak_pressure(contact) * cosines * cosine, *flows[k])
+        least = shear.steady + np.where(shear.most == 0.0, shear.limit, 0.0)
+        slips[:, k] = state[STRESS : STRESS + count] >= (1 - SLIDES) * least
     forces = np.array([marched_strip(state, j)[0] for j in range(count)]).T * width
     return RaceFriction(
         creepage_along=given.along,
