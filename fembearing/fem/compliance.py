@@ -12,9 +12,9 @@ else of the bodies.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from analytic.errors import InputError
 from analytic.scene import Array, Contact
@@ -29,6 +29,9 @@ from fembearing.mesh.footprint import as_quarter
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.race import block_of_race, race_height
 from fembearing.mesh.recipe import Recipe
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicSpline
 
 Places = tuple[Array, Array]  # x and y
 DEGREES: tuple[tuple[Axis, int], ...] = ((ALONG, 3), (ACROSS, 3), (NORMAL, 4))  # of all that is sampled
@@ -215,7 +218,7 @@ class ComplianceOverLoad:
     """The compliance of one contact under any load of a range: a spline over the logarithm of the load."""
 
     sample: PairCompliance  # at the least load
-    spline: CubicSpline  # of ln(semi-axes) and of `added`
+    spline: "CubicSpline"  # of ln(semi-axes) and of `added`
 
     def at(self, load: float) -> PairCompliance:
         """The compliance for the ellipse of a load, N."""
@@ -230,6 +233,8 @@ class ComplianceOverLoad:
 
 def compliance_over_load(sampled: Sequence[PairCompliance]) -> ComplianceOverLoad:
     """Between the loads of two samples of one contact or more, in ascending order."""
+    from scipy.interpolate import CubicSpline  # a tenth of a second to import, and a single contact needs none
+
     values = [np.append(np.log(each.semi_axes), each.added.ravel()) for each in sampled]
     spline = CubicSpline(np.log([each.contact.load for each in sampled]), values)
     return ComplianceOverLoad(sample=sampled[0], spline=spline)

@@ -17,8 +17,8 @@ from scipy.special import elliprd, elliprf
 from analytic.scene import Array, Contact, Material
 from fembearing.fem.measure import Quantities
 
-# Slope of the logarithm of the ratio of curvatures over that of the axis ratio: 1.5 at a circle, up to 2 at a line. With
-# the mean each step leaves a seventh of the error or less; all of them leave round-off.
+# Slope of the logarithm of the ratio of curvatures over that of the axis ratio: 1.5 at a circle, up to 2 at a line.
+# With the mean each step leaves a seventh of the error or less; all of them leave round-off.
 SLOPE, STEPS = 1.75, 20
 
 
