@@ -8,6 +8,7 @@ What a command computes with is imported in its function, so that `--help` stays
 
 import atexit
 import gc
+import os
 import sys
 from collections.abc import Callable
 from typing import Annotated, Any
@@ -90,6 +91,8 @@ def about(
 
 def main() -> None:
     """Run the command line; `boundary` has what becomes of failures."""
+    # Before NumPy is loaded: solvers share the cores themselves, and the threads of BLAS would wait for each other.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     gc.set_threshold(OBJECTS)
     atexit.register(gc.freeze)  # at its end Python would search all objects once more, for up to 0.2 s
     examples = {name: example for name, (_, example) in COMMANDS.items()}
