@@ -32,15 +32,13 @@ class Estimate:
 
     values: tuple[float, ...]  # coarse to fine, in the unit of the quantity
     order: float | None  # observed; None where the values are not monotonic or diverge
-    richardson: float | None  # extrapolated, from `corrected` where given; None where the order is not reliable
+    richardson: float | None  # extrapolated; None where the order is not reliable
     mesh: NotNegative  # relative, from the meshes
     settled: bool = True  # whether the meshes converge
     # Roache's, relative: shown with `mesh`, part of no interval.
     grid_convergence_index: float | None = None
     beyond: float = 0.0  # share by which what lies outside the meshed block raises the value
-    sides: float = 0.0  # share by which the true shoulders and lands raise the value, where a symmetric part is meshed
-    domain: NotNegative = 0.0  # relative, from the size of the meshed region and from the sides
-    corrected: tuple[float, ...] = ()  # `values` without the error that a twin shows, in their unit; empty without twin
+    domain: NotNegative = 0.0  # relative, from the size of the meshed region
 
     @property
     def limit(self) -> float:
@@ -49,8 +47,8 @@ class Estimate:
 
     @property
     def value(self) -> float:
-        """The value for vanishing cells, with what lies outside the block, and the true sides; unit of the quantity."""
-        return self.limit * (1 + self.beyond) * (1 + self.sides)
+        """The value for vanishing cells, with what lies outside the block, in the unit of the quantity."""
+        return self.limit * (1 + self.beyond)
 
     @property
     def spread(self) -> float:

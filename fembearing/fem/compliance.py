@@ -11,24 +11,28 @@ else of the bodies.
 """
 
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from analytic.errors import InputError
 from analytic.scene import Array, Contact
 from analytic.words import length_of
+from fembearing.fem.condensation import CondensedBody
 from fembearing.fem.elasticity import require_elastic, surface_mass
+from fembearing.fem.factor import solver_threads
+from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.half_space import contact_modulus
 from fembearing.fem.solution import CondensedPair, condensed_pair
 from fembearing.fem.traction import ACROSS, ALONG, NORMAL, Axis, Term, worked
 from fembearing.fem.twin import QUARTERS, flat_race, twin_of
 from fembearing.mesh.ball import block_of_ball, flat_ball
-from fembearing.mesh.footprint import as_quarter
+from fembearing.mesh.footprint import Footprint, Sides, as_quarter
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.race import block_of_race, race_height
-from fembearing.mesh.recipe import Recipe
+from fembearing.mesh.recipe import Recipe, load_recipe
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
@@ -107,14 +111,42 @@ def values_of(terms: Sequence[Term], x: Array, y: Array) -> Array:
     return np.column_stack([(inwards * x) ** term.of_x * (inwards * y) ** term.of_y for term in terms])
 
 
-def pair_compliance(contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> PairCompliance:
-    """The compliance of ball and race of true shape under a pressure even in x and y, from one level of a recipe.
+def sampled_pair(
+    contact: Contact,
+    *,
+    recipe: Recipe,
+    level: int,
+    semi_axes: tuple[float, float],
+    extended: bool = False,
+    sides: Sides = "mean",
+    upper: CondensedBody | None = None,
+) -> tuple[CondensedPair, PairCompliance]:
+    """Ball and race of true shape on one level of a recipe, and their compliance under a pressure even in x and y.
 
     semi_axes : of the contact, m, to a per cent, see `fembearing.fem.twin.shared_axes`
+    extended, sides, upper : as those of `solve_on_mesh`
     Raises InputError if the bodies cannot be meshed, SingularError as `condense`.
     """
-    bodies = condensed_pair(contact, recipe=recipe, level=level, semi_axes=semi_axes)
-    return sampled_compliance(bodies, recipe=recipe)
+    with ThreadPoolExecutor(1) as beside:
+        if solver_threads() > 1:  # half spaces are condensed, and kept, while the bodies are
+            footprint = Footprint(semi_axes=semi_axes)
+            beside.submit(twin_of, contact, recipe=recipe, level=level, footprint=footprint, extended=extended)
+        bodies = condensed_pair(
+            contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended, sides=sides, upper=upper
+        )
+    return bodies, sampled_compliance(bodies, recipe=recipe, extended=extended)
+
+
+Compliance = Literal["half-space", "meshed"]
+
+
+def meshed_pair(contact: Contact) -> PairCompliance:
+    """The compliance of a ball on its race for pressure and tractions, from the first level of their recipe.
+
+    Raises InputError as `whole_compliance`.
+    """
+    recipe, semi_axes = load_recipe("race"), expected_semi_axes(contact, geometry="real")
+    return whole_compliance(contact, recipe=recipe, level=recipe.levels[0], semi_axes=semi_axes)
 
 
 def whole_compliance(contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> PairCompliance:
@@ -146,15 +178,15 @@ def whole_compliance(contact: Contact, *, recipe: Recipe, level: int, semi_axes:
     flat_upper = flat_ball(block_of_ball(contact, recipe, level, footprint))
     flat_lower = flat_race(block_of_race(contact, recipe, level, footprint, False))
     ball, race = contact.ball_material, contact.race_material
-    opposite = np.array([-1, -1, 1])[:, None, None] * upright  # both flat bodies lie at z > 0
+    downwards, opposite = (np.array([side, side, -1])[:, None, None] * upright for side in (1, -1))  # both lie at z < 0
     as_ball = np.array([*into_race[:NORMAL], pair.normal])
     pressed = worked(pair.lower, material=race, directions=as_ball, terms=WHOLE, force=force, depth=-1)
     work = worked(pair.lower, material=race, directions=into_race, terms=WHOLE, force=force, depth=-1)
     normal = np.array([term.axis == NORMAL for term in WHOLE])
     work = np.where(np.outer(normal, normal), pressed, work)
     work += worked(pair.upper, material=ball, directions=into_ball, terms=WHOLE, force=force)
-    work -= worked(flat_upper, material=ball, directions=upright, terms=WHOLE, force=force)
-    work -= worked(flat_lower, material=race, directions=opposite, terms=WHOLE, force=force)
+    work -= worked(flat_upper, material=ball, directions=downwards, terms=WHOLE, force=force, depth=-1)
+    work -= worked(flat_lower, material=race, directions=opposite, terms=WHOLE, force=force, depth=-1)
     alike = np.array([[one.axis == other.axis and one.parity == other.parity for other in WHOLE] for one in WHOLE])
     moments = np.where(alike, force.T @ values, 0.0)  # of a quarter; over the contact, those of unlike parity vanish
     added = np.linalg.solve(moments, np.linalg.solve(moments, work.T).T) / QUARTERS
@@ -218,10 +250,12 @@ class ComplianceOverLoad:
     """The compliance of one contact under any load of a range: a spline over the logarithm of the load."""
 
     sample: PairCompliance  # at the least load
-    spline: "CubicSpline"  # of ln(semi-axes) and of `added`
+    spline: "CubicSpline | None"  # of ln(semi-axes) and of `added`; None: the least load is the only one
 
     def at(self, load: float) -> PairCompliance:
         """The compliance for the ellipse of a load, N."""
+        if self.spline is None:
+            return self.sample
         found = self.spline(np.log(load))
         return replace(
             self.sample,
@@ -232,8 +266,10 @@ class ComplianceOverLoad:
 
 
 def compliance_over_load(sampled: Sequence[PairCompliance]) -> ComplianceOverLoad:
-    """Between the loads of two samples of one contact or more, in ascending order."""
-    from scipy.interpolate import CubicSpline  # a tenth of a second to import, and a single contact needs none
+    """Between the loads of samples of one contact, in ascending order."""
+    if len(sampled) == 1:
+        return ComplianceOverLoad(sample=sampled[0], spline=None)
+    from scipy.interpolate import CubicSpline  # a tenth of a second to import, and a single load needs none
 
     values = [np.append(np.log(each.semi_axes), each.added.ravel()) for each in sampled]
     spline = CubicSpline(np.log([each.contact.load for each in sampled]), values)

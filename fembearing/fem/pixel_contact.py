@@ -44,6 +44,11 @@ class PixelSolution:
     force: Array  # (m,) along the normals, N
     shoulder: None = None  # no shoulder cuts it off
 
+    @property
+    def semi_axes(self) -> tuple[float, float]:
+        """Rolling and transverse, m."""
+        return self.quantities.semi_axis_rolling, self.quantities.semi_axis_transverse
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Pixels:

@@ -22,7 +22,7 @@ from fembearing.fem.solution import (
     fitted_solution,
     pressed,
 )
-from fembearing.mesh.footprint import Sides, shoulders_of
+from fembearing.mesh.footprint import shoulders_of
 from fembearing.mesh.recipe import Recipe
 
 # Ellipse of the contact over the ellipse of its mesh. Within these bounds the error of the approach on a third level is
@@ -66,12 +66,11 @@ def checked_loads(loads: ArrayLike) -> Array:
 
 
 def on_level(
-    series: Sequence[MeshSolution], *, recipe: Recipe, level: int, extended: bool = False, sides: Sides = "even"
+    series: Sequence[MeshSolution], *, recipe: Recipe, level: int, extended: bool = False
 ) -> tuple[MeshSolution, ...]:
     """The loads of a solved series on another level, each on a mesh for the same ellipse as in `series`.
 
     extended : add cells around a block, to measure the effect of its far boundary
-    sides : of y = 0 that are meshed, see `fembearing.mesh.pair.pair_mesh`
     Raises InputError and ConvergenceError as `solve_series`.
     """
     meshes: dict[CondensedPair, CondensedPair] = {}
@@ -83,8 +82,7 @@ def on_level(
                 level=level,
                 semi_axes=part.pair.semi_axes,
                 extended=extended,
-                sides=sides,
-                upper=part.upper if level == part.level and sides != "both" else None,
+                upper=part.upper if level == part.level else None,
             )
     return tuple(pressed(meshes[part.bodies], load=part.contact.load, expected=part.semi_axes) for part in series)
 

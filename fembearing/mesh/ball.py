@@ -1,5 +1,7 @@
 """The ball: an octant or a quarter, from the pole, where the contact is, to the middle plane."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from analytic.scene import Array, Contact
@@ -32,11 +34,12 @@ def ball_octant(contact: Contact, recipe: Recipe, level: int, footprint: Footpri
 
 
 def flat_ball(block: Block) -> BodyMesh:
-    """A half space with the columns and the layers of the ball on the grid of `block`: its surface is a plane."""
+    """A half space, z < 0, with the columns and layers of the ball on the grid of `block`: its surface is a plane."""
     footprint = Footprint(semi_axes=block.semi_axes)
     patch = patch_mesh(block.whole)
-    cube = _in_cube(block, patch, contact_zone(patch, shape=block.recipe.patch, footprint=footprint))
-    return body_mesh("half space", patch, block.reach * np.vstack([_across(cube), 1 - cube[2]]))
+    upside_down = replace(patch, layer=patch.cells.depth - patch.layer)
+    cube = _in_cube(block, upside_down, contact_zone(patch, shape=block.recipe.patch, footprint=footprint))
+    return body_mesh("half space", patch, block.reach * np.vstack([_across(cube), cube[2] - 1]))
 
 
 def _in_cube(block: Block, patch: PatchMesh, zone: Array) -> Array:

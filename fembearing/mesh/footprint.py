@@ -19,8 +19,8 @@ from analytic.words import length_of
 ROUND_OFF = 1e-9  # of a coordinate
 UNCUT = (math.inf, math.inf)
 NEARLY = 0.995  # largest shoulder distance in the mesh, in semi-axes; an error of 1 % in the mesh does no harm
-# Which side of y = 0 a mesh has; "both": half of the contact, else a quarter whose two sides are alike
-Sides = Literal["even", "above", "below", "both"]
+# Which side of y = 0 a quarter has; "mean": the mean of both quarters; "both": no quarter, half of the contact
+Sides = Literal["mean", "even", "above", "below", "both"]
 MOST_OVERRUN = 3.0  # semi-axis of the mesh over the shoulder distance; beyond, too little of the ellipse is left
 
 
@@ -94,7 +94,7 @@ def is_symmetric(contact: Contact) -> bool:
 def as_quarter(contact: Contact, sides: Sides) -> Contact:
     """The contact whose side y > 0 a quarter has.
 
-    "even": the nearer shoulder, and a land parallel to the tangent plane; "above" and "below": the true sides
+    "above" and "below": the true sides; otherwise the nearer shoulder, and a land parallel to the tangent plane
     """
     if sides == "above":
         return contact

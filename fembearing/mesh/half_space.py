@@ -9,7 +9,7 @@ from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.patch import contact_zone, patch_mesh
 
 
-def flat_block(block: Block, footprint: Footprint, *, side: Literal[1, -1] = 1) -> BodyMesh:
+def flat_block(block: Block, footprint: Footprint, *, side: Literal[1, -1]) -> BodyMesh:
     """A half space on the grid of `block`.
 
     side : 1 for the upper body, which lies at z > 0; -1 for the lower one

@@ -8,7 +8,7 @@ from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.patch import contact_zone, patch_mesh
 from fembearing.mesh.recipe import Recipe
 
-NEWTON = 8  # rounds; five reach round-off at 40 degrees
+NEWTON, LAST = 8, 1e-9  # rounds at most; the step, over the radius, that the last one has: round-off is left
 STEEPEST = 1.2  # rad, profile angle up to which a groove is meshed as a height over the tangent plane
 LEAST_OUTSIDE = 1.06  # end of the block over the contact with its margin; nearer, the cells between them fold
 LEAST_FURTHER = 1.5  # smallest size of an extended block over its own, where the ring limits it
@@ -75,6 +75,8 @@ def race_height(contact: Contact, x: Array, y: Array) -> Array:
         slope = (bottom + side * over) / from_axis * cosine
         slope = slope + np.where(axial == inside, axial / np.sqrt(groove**2 - inside**2) * sine, 0.0)
         height = height - left / slope
+        if np.abs(left / slope).max() < LAST * groove:
+            break
     return height
 
 
@@ -97,9 +99,12 @@ def distance_to_race(contact: Contact, normal: Array) -> Array:
 
     step = 1e-6 * radius
     distance = np.zeros_like(square)
-    for _ in range(8):  # Newton with the slope by difference, which gains six digits in each round
+    for _ in range(NEWTON):  # with the slope by difference, which gains six digits in each round
         left = miss(distance)
-        distance = distance - left * step / (miss(distance + step) - left)
+        change = left * step / (miss(distance + step) - left)
+        distance = distance - change
+        if np.abs(change).max() < LAST * radius:
+            break
     return distance
 
 

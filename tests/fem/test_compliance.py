@@ -1,4 +1,4 @@
-"""The compliance of a pair against direct condensation, against Hertz, and against meshes with a twin."""
+"""The compliance of a pair against direct condensation, against Hertz, and against finer meshes."""
 
 from dataclasses import replace
 
@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 from analytic.errors import ConvergenceError
 from analytic.scene import Array, Contact
 from fembearing.check.contact.refinement import COMPARED
-from fembearing.fem.compliance import PairCompliance, compliance_over_load, sampled_compliance
+from fembearing.fem.compliance import PairCompliance, compliance_over_load, sampled_compliance, sampled_pair
 from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.half_space import (
@@ -22,8 +22,8 @@ from fembearing.fem.half_space import (
     pressed_rectangle,
 )
 from fembearing.fem.pixel_contact import press_pair
-from fembearing.fem.solution import condensed_pair
-from fembearing.fem.twin import flat_race, shared_axes, twin_on_level
+from fembearing.fem.solution import condensed_pair, solve_on_mesh
+from fembearing.fem.twin import flat_race, shared_axes
 from fembearing.mesh.ball import block_of_ball, flat_ball
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.race import block_of_race
@@ -38,15 +38,14 @@ def axes_of(contact: Contact) -> tuple[float, float]:
 
 
 def sampled(contact: Contact, *, level: int) -> PairCompliance:
-    bodies = condensed_pair(contact, recipe=RECIPE, level=level, semi_axes=axes_of(contact))
-    return sampled_compliance(bodies, recipe=RECIPE)
+    return sampled_pair(contact, recipe=RECIPE, level=level, semi_axes=axes_of(contact))[1]
 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
 def test_outside_the_ellipse_it_is_near_the_meshed_bodies(pair: str) -> None:
     """On all nodes of the ball's surface over the block, under Hertz's pressure: the stated errors of what is held."""
     contact, axes, level = CONTACTS[pair], axes_of(CONTACTS[pair]), 2
-    bodies = condensed_pair(contact, recipe=RECIPE, level=level, semi_axes=axes)
+    bodies = condensed_pair(contact, recipe=RECIPE, level=level, semi_axes=axes, sides="even")
     upper, lower, footprint = bodies.pair.upper, bodies.pair.lower, bodies.pair.footprint
     place = upper.mesh.doflocs[:2, upper.touching]
     force = bodies.mass @ np.sqrt(np.maximum(0, 1 - np.sum((place.T / axes) ** 2, axis=1)))
@@ -61,7 +60,7 @@ def test_outside_the_ellipse_it_is_near_the_meshed_bodies(pair: str) -> None:
         plane = body.mesh.doflocs[:2, body.surface] / contact.ball_radius
         return np.vstack([-plane, np.sqrt(np.maximum(0, 1 - np.sum(plane**2, axis=0)))])
 
-    upright, flat_normal = np.tile([[0.0], [0.0], [1.0]], force.size), np.array([[0.0], [0.0], [1.0]])
+    upright, flat_normal = np.tile([[0.0], [0.0], [-1.0]], force.size), np.array([[0.0], [0.0], [-1.0]])
     at, of_ball = sunk(upper, -bodies.pair.normal, into_ball(upper))
     _, of_flat_ball = sunk(flat_ball(block_of_ball(contact, RECIPE, level, footprint)), upright, flat_normal)
     race_at, of_race = sunk(lower, bodies.pair.normal, -into_ball(lower))
@@ -95,15 +94,14 @@ def test_without_addition_a_light_contact_is_hertzs() -> None:
 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
-@pytest.mark.parametrize(("level", "allowed"), [(1, 5e-3), (2, 5e-4)])
-def test_pixels_agree_with_meshes(pair: str, level: int, allowed: float) -> None:
-    """A second level with its twin; most of what is allowed is the error of a first level without extrapolation."""
+@pytest.mark.parametrize(("level", "allowed"), [(1, 5e-3), (2, 1.5e-3)])
+def test_pixels_agree_with_a_finer_mesh(pair: str, level: int, allowed: float) -> None:
+    """The third level, whose own error is 0.1 %; a first level without extrapolation is off by some tenths."""
     contact = replace(CONTACTS[pair], race_material=PEEK, load=20.0)
     found = press_pair(sampled(contact, level=level), load=contact.load)
-    mesh = twin_on_level(contact, recipe=RECIPE, level=2, start=axes_of(contact))
-    assert mesh is not None
+    mesh = solve_on_mesh(contact, recipe=RECIPE, level=3, semi_axes=axes_of(contact))
     for name in COMPARED:
-        assert getattr(found.quantities, name) == pytest.approx(mesh.corrected[name], rel=allowed), name
+        assert getattr(found.quantities, name) == pytest.approx(getattr(mesh.quantities, name), rel=allowed), name
 
 
 def test_a_spline_over_the_load_goes_through_its_samples() -> None:

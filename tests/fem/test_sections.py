@@ -50,7 +50,7 @@ def loaded(request: pytest.FixtureRequest) -> list[Loaded]:
     pair, recipe = request.param
     contact = replace(CONTACTS[pair], ball_material=CERAMIC)  # unlike the race, so that a mix-up shows
     made = load_recipe(recipe)
-    found = solve_on_mesh(contact, recipe=made, level=LEVEL, semi_axes=SEMI_AXES[pair])
+    found = solve_on_mesh(contact, recipe=made, level=LEVEL, semi_axes=SEMI_AXES[pair], sides="above")
     bodies = []
     sides = (
         (found.pair.upper, CERAMIC, found.pair.normal),

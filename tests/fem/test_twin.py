@@ -1,7 +1,6 @@
 """The twin of a contact against the exact half spaces, against scale, and against finer meshes."""
 
-import time
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
@@ -9,10 +8,12 @@ import pytest
 from analytic.scene import Contact, Material
 from fembearing.check.contact.refinement import COMPARED
 from fembearing.fem import twin
+from fembearing.fem.compliance import sampled_pair
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.half_space import contact_modulus, hertz_ellipse
-from fembearing.fem.solution import solve_on_mesh
-from fembearing.fem.twin import shared_axes, twin_factors, twin_on_level
+from fembearing.fem.pixel_contact import press_pair
+from fembearing.fem.solution import pressed
+from fembearing.fem.twin import shared_axes
 from fembearing.mesh.recipe import load_recipe
 from tests.contacts import CONTACTS, INNER, OUTER, PEEK
 
@@ -35,18 +36,22 @@ def scaled(contact: Contact, *, length: float, modulus: float) -> Contact:
     )
 
 
+def axes_of(contact: Contact) -> tuple[float, float]:
+    return shared_axes(expected_semi_axes(contact, geometry="real"))
+
+
 def test_a_nearly_flat_contact_needs_no_more_than_its_twin() -> None:
-    """At 1e-3 N the bodies are half spaces: corrected quantities are Hertz's, which a mesh alone misses by 0.3 %."""
+    """At 1e-3 N the bodies are half spaces: the pair adds nothing to them, where a mesh alone is off by 0.3 %."""
     contact = replace(OUTER, load=1e-3, groove_radius=4.9e-3)
     modulus = contact_modulus(contact)
     curvatures = 1 / contact.ball_radius + 1 / contact.rolling_radius, 1 / contact.ball_radius - 1 / 4.9e-3
     a, b = hertz_ellipse(curvatures, load=1e-3, modulus=modulus)
-    found = twin_on_level(contact, recipe=RECIPE, level=2, start=expected_semi_axes(contact, geometry="real"))
-    assert found is not None
+    _, pair = sampled_pair(contact, recipe=RECIPE, level=2, semi_axes=axes_of(contact))
+    found = press_pair(pair, load=contact.load)
     exact = {"semi_axis_rolling": a, "semi_axis_transverse": b, "peak_pressure": 3e-3 / (2 * np.pi * a * b)}
     for name, value in exact.items():
         # 0.01 %: a hundredth of the error of this level. On the cells of a block the twin of the ball leaves 0.07 %.
-        assert found.corrected[name] == pytest.approx(value, rel=1e-4), name
+        assert getattr(found.quantities, name) == pytest.approx(value, rel=1e-4), name
 
 
 def test_the_twin_does_not_depend_on_size_and_stiffness() -> None:
@@ -55,14 +60,11 @@ def test_the_twin_does_not_depend_on_size_and_stiffness() -> None:
     other = scaled(contact, length=3.1, modulus=0.7)
     twin._condensed.cache_clear()
     first, second = (
-        twin_on_level(each, recipe=RECIPE, level=1, start=expected_semi_axes(each, geometry="real"))
-        for each in (contact, other)
+        sampled_pair(each, recipe=RECIPE, level=1, semi_axes=axes_of(each))[1] for each in (contact, other)
     )
-    assert first is not None
-    assert second is not None
     assert twin._condensed.cache_info().misses == 2  # the ball's and the race's half space
-    for name, value in vars(first.factors).items():
-        assert getattr(second.factors, name) == pytest.approx(value, rel=1e-9), name  # round-off
+    # Round-off of the difference between bodies and twin, which is a tenth of both
+    np.testing.assert_allclose(3.1 * 0.7 * second.added, first.added, rtol=1e-7, atol=1e-9 * np.abs(first.added).max())
 
 
 def test_a_mesh_with_a_twin_has_one_of_few_axis_ratios() -> None:
@@ -75,39 +77,24 @@ def test_a_mesh_with_a_twin_has_one_of_few_axis_ratios() -> None:
 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
-def test_two_corrected_levels_agree_far_better_than_two_plain_ones(pair: str) -> None:
+def test_two_levels_of_the_compliance_agree_far_better_than_two_plain_ones(pair: str) -> None:
     contact = replace(CONTACTS[pair], race_material=PEEK, load=20.0)
-    ellipse, solutions = expected_semi_axes(contact, geometry="real"), []
+    plain, pixels = [], []
     for level in (1, 2):
-        begun = time.perf_counter()
-        found = twin_on_level(contact, recipe=RECIPE, level=level, start=ellipse)
-        assert found is not None
-        assert 0 < found.mesh.seconds < time.perf_counter() - begun
-        solutions.append(found)
-        ellipse = found.ellipse
-    coarse, fine = solutions
-    plain = max(
-        abs(getattr(coarse.mesh.quantities, name) / getattr(fine.mesh.quantities, name) - 1) for name in COMPARED
-    )
-    corrected = max(abs(coarse.corrected[name] / fine.corrected[name] - 1) for name in COMPARED)
-    assert corrected < plain / 4  # seven and more on the calibration contacts
+        bodies, compliance = sampled_pair(contact, recipe=RECIPE, level=level, semi_axes=axes_of(contact))
+        plain.append(asdict(pressed(bodies, load=contact.load, expected=bodies.pair.semi_axes).quantities))
+        pixels.append(asdict(press_pair(compliance, load=contact.load).quantities))
+    changes = [max(abs(coarse[name] / fine[name] - 1) for name in COMPARED) for coarse, fine in (plain, pixels)]
+    assert changes[1] < changes[0] / 8  # ten and more on the calibration contacts
 
 
 def test_a_twin_follows_an_extended_block() -> None:
     """Added cells change the error of the mesh: without their own twin they would seem to change a tiny contact."""
     contact = replace(INNER, load=1e-3)
-    axes = shared_axes(expected_semi_axes(contact, geometry="real"))
-    base, larger = (
-        solve_on_mesh(contact, recipe=RECIPE, level=1, semi_axes=axes, extended=far) for far in (False, True)
-    )
-    own = twin_factors(base, recipe=RECIPE), twin_factors(larger, recipe=RECIPE, extended=True)
-    approaches = base.quantities.approach, larger.quantities.approach
-    plain = approaches[1] / approaches[0] - 1
-    corrected = (1 + plain) * own[1].approach / own[0].approach - 1
-    assert abs(plain) > 2e-4
-    assert abs(corrected) < abs(plain) / 3  # half spaces have no far boundary to speak of
-
-
-def test_a_contact_over_its_shoulder_has_no_twin() -> None:
-    narrow = replace(INNER, shoulder=0.8e-3)
-    assert twin_on_level(narrow, recipe=RECIPE, level=1, start=expected_semi_axes(narrow, geometry="real")) is None
+    plain, pixels = [], []
+    for far in (False, True):
+        bodies, compliance = sampled_pair(contact, recipe=RECIPE, level=1, semi_axes=axes_of(contact), extended=far)
+        plain.append(pressed(bodies, load=contact.load, expected=bodies.pair.semi_axes).quantities.approach)
+        pixels.append(press_pair(compliance, load=contact.load).quantities.approach)
+    assert abs(plain[1] / plain[0] - 1) > 2e-4
+    assert abs(pixels[1] / pixels[0] - 1) < abs(plain[1] / plain[0] - 1) / 3  # half spaces have no far boundary

@@ -22,10 +22,11 @@ from rich.progress import track
 from analytic.errors import FembearingError
 from analytic.scene import Array, Contact
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.refinement import COMPARED, Wanted, solve_reference
+from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import COMPARED, Wanted
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Cells, Depth, Domain, Patch, Recipe, load_recipe
-from validation.intervals.twin import ball_and_race, drawn_materials, pressed_to
+from validation.intervals.levels import ball_and_race, drawn_materials, pressed_to
 from validation.study import Jobs, out, progress, run, show
 
 ACCURACIES = (2e-3, 1e-3)

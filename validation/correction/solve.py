@@ -30,7 +30,8 @@ from analytic.contact.hertz import contact_modulus
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.refinement import Wanted, solve_reference
+from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import Wanted
 from fembearing.mesh.recipe import load_recipe
 from validation.study import Row, continued, read, run
 

@@ -14,11 +14,11 @@ from analytic.contact.geometry import RACES
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.words import RPM
-from fembearing.check.contact.compliance import meshed_pair
 from fembearing.check.creep.scene_creep import creep_of
 from fembearing.check.film.scene_film import problem_of
 from fembearing.ehl.contact import LubricatedContact
 from fembearing.ehl.film import numerical_film
+from fembearing.fem.compliance import meshed_pair
 from fembearing.grid_convergence import Estimate
 from validation.study import run, write
 

@@ -17,7 +17,8 @@ from analytic.loads.state import approaches
 from analytic.loads.thrust import thrust_equilibrium, thrust_equilibrium_frozen
 from analytic.scene import Bearing, Contact, ContactAngle
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.refinement import Wanted, solve_reference
+from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import Wanted
 from fembearing.check.contact.scene_contact import as_meshed
 from fembearing.fem.condensation import condense
 from fembearing.fem.contact import press

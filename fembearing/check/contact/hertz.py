@@ -5,7 +5,7 @@ Where one shoulder cuts it off a half is meshed, and transverse positions run fr
 """
 
 from collections.abc import Collection
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
@@ -102,20 +102,22 @@ def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool
     hertz : the contact under its own load
     correctable : whether the correction for finite geometry applies to this contact
     """
-    factor = np.linspace(LEAST, MOST, POINTS)
-    corrected: list[float | None] = [None] * POINTS
-    uncertainty: list[float | None] = [None] * POINTS
-    for point, times in enumerate(factor if correctable else ()):
-        approach = hertz.approach * times ** (2 / 3)
-        heavier = replace(contact, load=contact.load * float(times))
-        fitted, _ = corrected_hertz(heavier, hertz=replace(hertz, approach=approach))
-        if fitted is not None:
-            corrected[point], uncertainty[point] = fitted.quantities.approach, fitted.uncertainty["approach"]
+    times = np.linspace(LEAST, MOST, POINTS)
+    approach = hertz.approach * times ** (2 / 3)
+    corrected: tuple[float | None, ...] = (None,) * POINTS
+    uncertainty = corrected
+    if correctable:
+        shape = contact_shape(contact)
+        found = finite_geometry_factors(shape._replace(size=shape.size * np.cbrt(times)))
+        corrected, uncertainty = (
+            tuple(value if covered else None for value, covered in zip(each.tolist(), found.covered, strict=True))
+            for each in (approach * found.factors.approach, found.uncertainty["approach"])
+        )
     return ApproachCurve(
-        load=tuple((contact.load * factor).tolist()),
-        hertz=tuple((hertz.approach * factor ** (2 / 3)).tolist()),
-        corrected=tuple(corrected),
-        uncertainty=tuple(uncertainty),
+        load=tuple((contact.load * times).tolist()),
+        hertz=tuple(approach.tolist()),
+        corrected=corrected,
+        uncertainty=uncertainty,
     )
 
 

@@ -1,7 +1,7 @@
 """A contact under many loads: its stiffness law F = K delta^n by finite elements, and Hertz's F = K delta^1.5.
 
 F: load, N; delta: approach, m. Loads of a true shape that end before the shoulder are solved by the compliance of the
-pair, see `fembearing.check.contact.compliance`. Each other approach comes from the second and third level of a
+pair, see `fembearing.check.contact.reference`. Each other approach comes from the second and third level of a
 recipe, with value and uncertainty as for a single contact. These loads share meshes, and a load whose ellipse differs
 from that of its mesh is more uncertain: see `OFF_MESH`. A load whose approach is then too uncertain for the required
 accuracy is solved again on its own meshes.
@@ -32,10 +32,10 @@ from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Array, Contact, Pair, Scene
 from analytic.scenefile.parts import Given, with_tolerance
 from fembearing.check.comparison import Comparison, ShownVerdict, worst
-from fembearing.check.contact.compliance import ends_before_shoulder, pair_series
 from fembearing.check.contact.hertz import beside_hertz, hertz_quantities
-from fembearing.check.contact.meshed_region import Boundary, boundary_effect, has_boundary, has_sides, with_sides
-from fembearing.check.contact.refinement import Estimates, Wanted, estimates_of, solve_reference
+from fembearing.check.contact.meshed_region import Boundary, boundary_effect, has_boundary
+from fembearing.check.contact.reference import ends_before_shoulder, pair_series, solve_reference
+from fembearing.check.contact.refinement import Estimates, Wanted, estimates_of
 from fembearing.check.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
 from fembearing.check.contact.warnings import (
     near_shoulder,
@@ -49,7 +49,6 @@ from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.series import checked_loads, off_mesh, on_level, solve_series
 from fembearing.fem.solution import MeshSolution
 from fembearing.grid_convergence import Estimate
-from fembearing.mesh.footprint import Sides
 from fembearing.mesh.recipe import Geometry, Recipe
 
 # A series on plain levels: where the edge of an ellipse crosses cells made for another ellipse, the error of the
@@ -451,17 +450,11 @@ def _on_shared_meshes(
     progress(0.3, f"{contact.pair}: far boundary")
     bounded = has_boundary(second[0], recipe=recipe)
     larger = on_level(second, recipe=recipe, level=middle, extended=True) if bounded else ()
-    # Where one load needs the true sides all get them; a mesh that is cut off is half of the contact already.
-    sided = any(has_sides(part, recipe=recipe) for part in second)
-    sides: tuple[Sides, ...] = ("above", "below") if sided else ()
-    both = [on_level(second, recipe=recipe, level=middle, sides=side) for side in sides]
     progress(0.5, f"{contact.pair}: level {fine}")
     third = on_level(second, recipe=recipe, level=fine)
     solved = {}
     for number, (coarse, mesh) in enumerate(zip(second, third, strict=True)):
         region = boundary_effect(coarse, larger[number]) if bounded else {"approach": Boundary()}
-        if sided:
-            region = with_sides(region, coarse, *(side[number] for side in both), farther=None)
         part, off = estimates_of((coarse, mesh))["approach"], OFF_MESH * min(1.0, off_mesh(mesh) / OFF_FROM)
         part = replace(part, mesh=part.mesh + off, **vars(region["approach"]))
         solved[mesh.contact.load] = SolvedLoad(mesh, {"approach": part}, off)

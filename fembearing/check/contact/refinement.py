@@ -1,7 +1,6 @@
-"""The finite-element reference of a contact, by the cheapest way that holds: twins of half spaces, or plain levels.
+"""The finite-element reference of a contact on plain levels: three or more, which are extrapolated.
 
-What a twin leaves of a mesh's error falls faster than the error itself: it is a tenth of the error on the first level
-and a hundredth on the second. The corrected values of the last two levels are extrapolated.
+They take the idealisation, a sheet, which bends, and a contact that ends at its shoulder or near to it.
 """
 
 from collections.abc import Sequence
@@ -13,29 +12,15 @@ from analytic.scene import Contact
 from analytic.words import about
 from fembearing.check.comparison import could_be_decided
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.meshed_region import (
-    FARTHER_LEFT,
-    FARTHER_LEFT_ON_SECOND,
-    STIFFNESS,
-    Boundary,
-    boundary_effect_with_twin,
-    each_side,
-    far_boundary,
-    has_sides,
-    measured,
-    sides_farther,
-    with_sides,
-)
-from fembearing.fem.guess import expected_semi_axes
+from fembearing.check.contact.meshed_region import far_boundary, measured
 from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
-from fembearing.fem.twin import TwinSolution, twin_on_level
-from fembearing.grid_convergence import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate, mesh_allowed, observed_order
+from fembearing.grid_convergence import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate, mesh_allowed
 from fembearing.mesh.recipe import Recipe
 
 Estimates = dict[str, Estimate]
-# How the error of the meshes was removed: by twins of half spaces on the same cells, or by extrapolation alone
-Refinement = Literal["twin", "levels"]
+# Levels of the compliance of the pair, which takes the error of half spaces on the same cells off; or plain levels
+Refinement = Literal["pair", "levels"]
 
 # A quantity's error falls with this power of the cell size: the approach is an energy and has twice the order of
 # quadratic cells; semi-axes have order 3 on cells that follow the edge. Peak pressure has no steady order.
@@ -57,17 +42,6 @@ WORTH_A_TRY = 2.0
 # Time of a level with N unknowns: set-up, cells, and the factorisation with its many right-hand sides, s; only their
 # ratios matter. They were fitted to 24 solves of six random contacts on one machine.
 FIXED, EACH, EACH_SQUARED = 0.1, 14e-6, 7.7e-10
-
-# Chosen on the calibration contacts of validation/intervals/twin.py, which tests them on others. ORDER: power of the
-# cell size with which the error falls that a twin leaves, and those of two quantities that differ.
-ORDER, ORDERS = 4.0, {"semi_axis_transverse": 5.0, "approach": 3.0}
-# In bodies of true shape the error of the approach is that of their twin times 1 + SHAPED (c/r)^2, with the larger
-# semi-axis c and the ball's radius r.
-SHAPED = 0.8
-# Uncertainty of meshes with a twin: LEAST_WITH_TWIN, CURVED times (c/r)^2 and the largest error that the twin shows,
-# and LEFT times the largest extrapolation of a quantity. UNSTEADY_PRESSURE is added for the peak pressure, which has no
-# steady order.
-LEAST_WITH_TWIN, CURVED, LEFT, UNSTEADY_PRESSURE = 1.5e-4, 0.3, 1.0, 1e-4
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -106,17 +80,6 @@ class Wanted(NamedTuple):
         return accurate and (mesh.shoulder is not None or not self.leaves_undecided(mesh.contact, estimates))
 
 
-def solve_reference(contact: Contact, wanted: Wanted) -> Reference:
-    """Solve `contact` on as many levels of the recipe as the accuracy needs.
-
-    Contacts of true shape have a twin on each level. Plain levels follow where the twin does not hold: for the
-    idealisation, which would be its own twin, for a sheet, which bends, and where a shoulder cuts the contact off.
-    `Reference.refinement` says which was used.
-    """
-    by_twin = solve_by_twin(contact, wanted) if wanted.recipe.geometry == "real" else None
-    return by_twin or solve_by_levels(contact, wanted)
-
-
 def predicted_seconds(level: int, *, known: MeshSolution) -> float:
     """Seconds to mesh and solve one level of a recipe; the machine's speed is that of the known solution.
 
@@ -140,9 +103,6 @@ def solve_by_levels(contact: Contact, wanted: Wanted) -> Reference:
     second = fitted_solution(contact, recipe=recipe)
     progress(0.2, f"{contact.pair}: far boundary")
     boundary = far_boundary(second, recipe=recipe)
-    if has_sides(second, recipe=recipe):
-        farther = sides_farther(contact, recipe=recipe, level=recipe.levels[0], semi_axes=second.pair.semi_axes)
-        boundary = with_sides(boundary, second, *each_side(second, recipe=recipe), farther=farther)
     first = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=second.pair.semi_axes)
     meshes, estimates = [first, second], {}
     allowed = {name: mesh_allowed(wanted.accuracy, domain=boundary[name].domain) for name in wanted.quantities}
@@ -200,99 +160,3 @@ def _predicted_level(meshes: Sequence[MeshSolution], *, recipe: Recipe, allowed:
         else:
             return level
     return recipe.levels[-1]
-
-
-def solve_by_twin(contact: Contact, wanted: Wanted) -> Reference | None:
-    """Solve `contact` on two levels or more, each with its twin.
-
-    The effects of far boundary and lands come from the first level, and from the second where that is not certain
-    enough.
-    None where a twin says nothing: the contact is cut off by a shoulder, or far from the ellipse expected.
-    """
-    recipe, progress = wanted.recipe, wanted.progress
-    progress(0.0, f"{contact.pair}: size of the contact")
-    coarse = twin_on_level(
-        contact, recipe=recipe, level=recipe.levels[0], start=expected_semi_axes(contact, geometry="real")
-    )
-    if coarse is None:
-        return None
-    solutions, both, boundary, on_first, estimates = [coarse], (), {}, True, {}
-
-    def region(on: TwinSolution, *, left: float) -> dict[str, Boundary]:
-        """The effect of far boundary and true sides; left : share of the lands' that stays as uncertainty."""
-        far = boundary_effect_with_twin(on, recipe=recipe)
-        if not both:
-            return far
-        farther = sides_farther(contact, recipe=recipe, level=on.mesh.level, semi_axes=on.mesh.pair.semi_axes)
-        return with_sides(far, solutions[1].mesh, *both, farther=farther, left=left)
-
-    def estimated() -> Estimates:
-        return {name: replace(part, **vars(boundary[name])) for name, part in estimates_with_twin(solutions).items()}
-
-    finer = recipe.levels[1:]
-    for number, level in enumerate(finer):
-        expected = about(predicted_seconds(level, known=solutions[-1].mesh))
-        progress(0.1 + 0.9 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
-        solution = twin_on_level(contact, recipe=recipe, level=level, start=solutions[-1].ellipse)
-        if solution is None:
-            return None
-        solutions.append(solution)
-        if not boundary:
-            progress(0.2, f"{contact.pair}: far boundary")
-            both = each_side(solution.mesh, recipe=recipe) if has_sides(solution.mesh, recipe=recipe) else ()
-            boundary = region(coarse, left=FARTHER_LEFT)
-        estimates = estimated()
-        rough = any(estimates[name].total > wanted.accuracy for name in wanted.quantities)
-        if on_first and (rough or wanted.leaves_undecided(contact, estimates)):
-            boundary, on_first = region(solutions[1], left=FARTHER_LEFT_ON_SECOND), False
-            estimates = estimated()
-        if wanted.is_met(solution.mesh, estimates):
-            break
-    return Reference(
-        meshes=tuple(solution.mesh for solution in solutions), estimates=estimates, shoulder={}, refinement="twin"
-    )
-
-
-def estimates_with_twin(solutions: Sequence[TwinSolution]) -> Estimates:
-    """Each quantity from two levels or more, coarse to fine, without the effect of the far boundary."""
-    before, last = solutions[-2:]
-    shape = (max(last.mesh.pair.semi_axes) / last.mesh.contact.ball_radius) ** 2
-    limits, mesh = extrapolated(
-        before.corrected,
-        last.corrected,
-        finer=last.mesh.level / before.mesh.level,
-        load=last.mesh.contact.load,
-        curved=SHAPED * shape * (last.factors.approach - 1),
-        left=CURVED * shape * max(abs(getattr(last.factors, name) - 1) for name in COMPARED),
-    )
-    sizes = [1 / solution.mesh.level for solution in solutions]
-    estimates = {}
-    for name in FORMAL_ORDERS:
-        values = tuple(getattr(solution.mesh.quantities, name) for solution in solutions)
-        estimates[name] = Estimate(
-            values=values,
-            order=observed_order(values[-3:], sizes[-3:]) if len(values) > 2 else None,
-            richardson=limits[name],
-            mesh=mesh[name],
-            corrected=tuple(solution.corrected[name] for solution in solutions),
-        )
-    return estimates
-
-
-def extrapolated(
-    before: dict[str, float], last: dict[str, float], *, finer: float, load: float, curved: float, left: float
-) -> tuple[dict[str, float], dict[str, float]]:
-    """Each quantity for vanishing cells, and its relative uncertainty, from corrected meshes or pixels of two levels.
-
-    finer : ratio of their cell sizes;  load : N
-    curved, left : relative, what the shape of the bodies adds to the approach, and to the uncertainty
-    """
-    change = {name: last[name] - before[name] for name in COMPARED}
-    limits = {name: last[name] + part / (finer ** ORDERS.get(name, ORDER) - 1) for name, part in change.items()}
-    limits["approach"] *= 1 + curved
-    limits["stiffness"] = load / limits["approach"] ** 1.5
-    step = max(abs(part / last[name]) for name, part in change.items()) / (finer**ORDER - 1)
-    uncertainty = LEAST_WITH_TWIN + left + LEFT * step
-    mesh = {name: uncertainty * (STIFFNESS if name == "stiffness" else 1.0) for name in FORMAL_ORDERS}
-    mesh["peak_pressure"] += UNSTEADY_PRESSURE
-    return limits, mesh

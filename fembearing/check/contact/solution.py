@@ -34,6 +34,7 @@ from fembearing.check.contact.hertz import (
     profiles_of,
 )
 from fembearing.check.contact.meshed_region import RingStructure, structure_of_ring
+from fembearing.check.contact.reference import solve_reference
 from fembearing.check.contact.refinement import (
     COMPARED,
     FORMAL_ORDERS,
@@ -41,7 +42,6 @@ from fembearing.check.contact.refinement import (
     Reference,
     Refinement,
     Wanted,
-    solve_reference,
 )
 from fembearing.check.contact.scene_contact import (
     OfPair,
@@ -398,7 +398,7 @@ def compare_contact(
     corrected, beyond = corrected_hertz(contact, hertz=hertz) if correctable else (None, ())
     values = {} if corrected is None else vars(corrected.quantities)
     part = "half of the contact, " if finest.pair.footprint.half else ""
-    way = "corrected by a half-space twin, " if reference.refinement == "twin" else ""
+    way = "compliance of the pair, " if reference.refinement == "pair" else ""
     numbers = ContactNumbers(
         pair=contact.pair,
         geometry=geometry,

@@ -44,7 +44,8 @@ from analytic.surface.roughness import generated_surface, spectral_moments
 from analytic.torque import friction_torque, loaded_balls_of
 from analytic.words import speed_of
 from fembearing.check.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
-from fembearing.check.contact.refinement import COMPARED, Estimates, Wanted, estimates_of, solve_by_twin
+from fembearing.check.contact.reference import solve_by_pair
+from fembearing.check.contact.refinement import COMPARED, Estimates, Wanted, estimates_of
 from fembearing.check.contact.scene_contact import RECIPES, contact_of, which_bearing
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.cost.ladder import ROUND_OFF, Candidate, Ladder, clocked, deviation, measured
@@ -54,7 +55,7 @@ from fembearing.check.film.scene_film import problem_of
 from fembearing.check.memory import peak_memory
 from fembearing.ehl.film import RATIO, USUAL, numerical_film
 from fembearing.ehl.solver import require_few_cells
-from fembearing.fem.compliance import pair_compliance
+from fembearing.fem.compliance import sampled_pair
 from fembearing.fem.measure import Quantities
 from fembearing.fem.pixel_contact import press_pair
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
@@ -84,14 +85,14 @@ SEEDS, DURATION = 3, 0.02  # of each motion; s, shorter than a scene's, so that 
 SHARES = (0.25, 0.5, 1.0, 2.0)  # of the scene's steps per contact
 MODEL = "as in the torque"
 FEWEST = 3  # meshes needed to extrapolate
-WITH_TWIN = 1e-3  # accuracy for which meshes with a twin are shown
+BY_PAIR = 1e-3  # accuracy for which levels of the pair's compliance are shown
 # Worst error of semi-axes, peak pressure and approach on each level of the recipe of a race, for any contact: the mesh
 # follows the ellipse, so that all have about the same error. The errors of 16 random contacts were 0.045 to 0.099,
 # 0.0038 to 0.0094, 0.0008 to 0.0020 and 0.0003 to 0.0007; validation/benchmarks/choices.py tests others. Pockets and
 # contacts cut off at a shoulder were not compared.
 LEVEL_BOUNDS = {1: 0.105, 2: 0.01, 3: 0.0021, 4: 0.0008}
 # The same of the compliance of a pair: the errors of 19 random races and pockets, seeds 100 to 118 of
-# validation/intervals/twin.py, were up to 0.0052 and 0.0005.
+# validation/intervals/levels.py, were up to 0.0052 and 0.0005.
 COMPLIANCE_BOUNDS = {1: 0.008, 2: 0.001}
 
 
@@ -386,7 +387,7 @@ def films(scene: Scene) -> Iterator[Declared]:
 
 
 def contact_methods(contact: Contact, recipe: Recipe) -> Declared:
-    """Formulas, every level of `recipe` without the sizing of its mesh, compliances of the pair, levels with a twin.
+    """Formulas, levels of `recipe` without the sizing of their mesh, compliances of the pair, and these extrapolated.
 
     recipe : of true shapes
     Raises InputError for a contact that cannot be meshed, ConvergenceError for one that does not settle.
@@ -400,7 +401,7 @@ def contact_methods(contact: Contact, recipe: Recipe) -> Declared:
 
     def by_compliance(level: int) -> Quantities:
         """Half spaces on pixels with what the true shapes add; under another load only the pixels are solved again."""
-        pair = pair_compliance(contact, recipe=recipe, level=level, semi_axes=shared_axes(axes))
+        _, pair = sampled_pair(contact, recipe=recipe, level=level, semi_axes=shared_axes(axes))
         return press_pair(pair, load=contact.load).quantities
 
     def extrapolated() -> Estimates:
@@ -414,10 +415,10 @@ def contact_methods(contact: Contact, recipe: Recipe) -> Declared:
         Candidate(f"compliance of the pair, level {level}", partial(by_compliance, level), _numbers, bounds.get(level))
         for level in (() if footprint_of(contact, axes).cut else recipe.levels[:2])
     ]
-    seconds, twin = clocked(partial(solve_by_twin, contact, Wanted(recipe, accuracy=WITH_TWIN)))
-    if twin is not None:  # with the sizing and the far boundary
-        name = f"finite elements, twin, to level {twin.meshes[-1].level}"
-        others.append(Candidate(name, lambda: twin.estimates, _numbers, _off, once=True, spent=seconds))
+    seconds, pair = clocked(partial(solve_by_pair, contact, Wanted(recipe, accuracy=BY_PAIR)))
+    if pair is not None:  # with the far boundary
+        name = f"compliance of the pair, extrapolated, to level {pair.meshes[-1].level}"
+        others.append(Candidate(name, lambda: pair.estimates, _numbers, _off, once=True, spent=seconds))
     return _of_contact(contact, levels, others, Candidate("finite elements, extrapolated", extrapolated))
 
 
@@ -428,8 +429,8 @@ def contact_ladder_of(solution: ContactSolution) -> Ladder:
         _level(solution.contact, mesh.level, partial(lambda mesh: mesh, mesh))._replace(once=True, spent=mesh.seconds)
         for mesh in solution.meshes
     ]
-    way = "with twin" if found.refinement == "twin" else "extrapolated"
-    methods = _of_contact(solution.contact, levels, [], Candidate(f"finite elements, {way}", lambda: found.estimates))
+    way = "compliance of the pair" if found.refinement == "pair" else "finite elements"
+    methods = _of_contact(solution.contact, levels, [], Candidate(f"{way}, extrapolated", lambda: found.estimates))
     return measured(f"contact, {found.pair}{which_bearing(found.bearing)}", *methods, tolerance=found.tolerance)
 
 

@@ -6,12 +6,11 @@ import numpy as np
 
 from analytic.contact.geometry import RACES, race_contact
 from analytic.scene import Array, Scene
-from fembearing.check.contact.compliance import meshed_pair
 from fembearing.check.creep.production import ProducedBall
 from fembearing.creep.ball import Elasticity, TurningBall
 from fembearing.creep.half_space import HalfSpaces
 from fembearing.creep.strips import Strips
-from fembearing.fem.compliance import PairCompliance
+from fembearing.fem.compliance import PairCompliance, meshed_pair
 from fembearing.fem.traction import ACROSS, ALONG, NORMAL, Axis
 
 CENTRE = 1e-3  # semi-axes: where the displacement along rolling is still linear

@@ -18,12 +18,12 @@ from analytic.progress import Progress, silent
 from analytic.rows import OperatingPoint, Positive
 from analytic.scene import Material, Scene
 from fembearing.check.comparison import Comparison, compared
-from fembearing.check.contact.compliance import Compliance
 from fembearing.check.contact.scene_contact import OfPair, balls_of, heaviest_place, traced_to_load
 from fembearing.check.creep.meshed_bodies import with_meshed_bodies
 from fembearing.check.creep.production import ProducedBall, Production, by_formula, by_march, produced
 from fembearing.creep.ball import RaceCreep, TurningBall
 from fembearing.creep.reference import CreepReference, RaceFriction, creep_reference
+from fembearing.fem.compliance import Compliance
 from fembearing.grid_convergence import Estimate
 
 LEAST_SHARE = 0.02  # of the torque by sliding, of balls that are not solved but change as the last one that was

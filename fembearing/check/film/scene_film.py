@@ -29,13 +29,13 @@ from analytic.progress import Progress, silent
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Contact, Scene
 from fembearing.check.comparison import Comparison, ShownVerdict, compared_with, worst
-from fembearing.check.contact.compliance import Compliance, meshed_pair
 from fembearing.check.contact.scene_contact import OfPair, balls_of, contact_at, heaviest_place
 from fembearing.ehl.ball_on_race import lubricated_contact
 from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.film import RATIO, NumericalFilm, numerical_film
 from fembearing.ehl.oil import Oil
 from fembearing.ehl.solver import require_few_cells
+from fembearing.fem.compliance import Compliance, meshed_pair
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -107,8 +107,8 @@ def contact_table(contacts: Sequence[ContactNumbers], units: Units = METRIC) -> 
         for contact in contacts
     ]
     words = (
-        "order: observed on the meshes; twin: corrected by half spaces on the same cells; outside: outside the "
-        "validity of Hertz"
+        "order: observed on three meshes, -: two levels of the pair's compliance; outside: outside the validity of "
+        "Hertz"
     )
     return Table("Contacts", heads, groups, [f"{AXES}. {UNCERTAIN}; {words}."])
 
@@ -122,7 +122,7 @@ def _rows(contact: ContactNumbers, units: Units) -> Iterator[Row]:
             digits(each.reference, factor),
             _off(each),
             shown(each.relative_uncertainty, ".2%"),
-            "twin" if study.corrected else shown(study.order, ".1f", absent="none"),
+            shown(study.order, ".1f", absent="-" if contact.refinement == "pair" else "none"),
             each.verdict.removesuffix(" validity"),
         ]
 

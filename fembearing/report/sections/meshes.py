@@ -4,7 +4,6 @@ from collections.abc import Iterator
 
 from analytic.units import Units
 from fembearing.check.contact.solution import ContactNumbers
-from fembearing.grid_convergence import Estimate
 from fembearing.report.document import Group, Head, Row, Section, Table
 from fembearing.report.phrases import digits, shown
 from fembearing.report.report import Report
@@ -16,17 +15,16 @@ NOTES = (
     "pressure the remainder of the last change with order 3, plus 0.03 %. Values of meshes that do not converge are "
     "not extrapolated; mesh: three times the spread of the last three, or of the remainder with the observed order if "
     "larger.",
-    "Where half spaces on the same cells correct each mesh (twin), the corrected values are extrapolated with order "
-    "3.5, that of semi-axis b with 4; mesh: 0.55 times the largest step of all quantities, 0.01 %, 0.01 % more for "
-    "the peak pressure, and 0.6 times the largest error of the twin, by the square of the larger semi-axis over the "
-    "ball's radius; 0.8 times that of the approach, by the same square, corrects the approach.",
+    "By the compliance of the pair all quantities are extrapolated with order 3, the approach after a correction of "
+    "1.4 % of the square of the larger semi-axis over level and ball's radius; mesh: 0.7 times the step, 0.015 %, "
+    "0.1 % of the square of the semi-axis over the radius, and more where an unlike shoulder is near.",
     "A contact cut off at a shoulder is not extrapolated either; mesh: three times the last change, plus 0.03 %. All "
     "have 0.008 % more for common errors of the meshes.",
     "Far boundary: change by a larger block, included in the value. Semi-axes and pressure: as in an infinite block; "
     "half of the change is the uncertainty. Approach and stiffness have no such limit: they count race or seat up to "
-    "8 major semi-axes; a quarter of the change is the uncertainty, or half without a twin. A tenth of the correction "
-    "of the change by the twins is added, and the uncertainty from the true shoulders. A sheet has no far boundary. "
-    "The uncertainties are added. Order: observed on the last three meshes, to compare with the formal one.",
+    "8 major semi-axes; a quarter of the change is the uncertainty, an eighth where it is that of the second level, or "
+    "half by plain meshes. A sheet has no far boundary. Mesh and far boundary add as squares. Order: observed on the "
+    "last three meshes, to compare with the formal one.",
     "GCI: Roache's grid-convergence index of the finest mesh, not extrapolated: factor 1.25 with the formal order if "
     "the observed one is within a tenth of it, else 3 with the lower of the two (3 for peak pressure). It is not part "
     "of the intervals.",
@@ -56,17 +54,10 @@ def _rows(contact: ContactNumbers, units: Units) -> Iterator[Row]:
         study, factor = contact.estimates[name], quantity.shown(units).factor
         yield [
             quantity.heading(units),
-            _on_meshes(study, factor),
+            ", ".join(digits(value, factor) for value in study.values),
             shown(study.order, ".1f", absent="none"),
             shown(study.grid_convergence_index, ".2%", absent="none"),
             digits(study.richardson, factor, absent=""),
             f"{study.mesh:.2%}",
             f"{study.domain:.2%}",
         ]
-
-
-def _on_meshes(study: Estimate, factor: float) -> str:
-    plain, corrected = (
-        ", ".join(digits(value, factor) for value in values) for values in (study.values, study.corrected)
-    )
-    return f"{plain}; with twin {corrected}" if corrected else plain

@@ -11,7 +11,8 @@ from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.load_series import LoadPoint, LoadSeries, StiffnessLaw, compare_series, solve_load_series
-from fembearing.check.contact.refinement import FORMAL_ORDERS, Wanted, solve_reference
+from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import FORMAL_ORDERS, Wanted
 from fembearing.check.contact.solution import ContactSolution, solve_contact
 from fembearing.grid_convergence import CAUTIOUS, LEAST
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe

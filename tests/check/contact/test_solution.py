@@ -17,7 +17,8 @@ from analytic.scenefile.read import load_scene, parse_scene
 from fembearing.check.comparison import compared
 from fembearing.check.contact import solution
 from fembearing.check.contact.hertz import corrected_hertz, hertz_quantities
-from fembearing.check.contact.refinement import COMPARED, Wanted, solve_reference
+from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import COMPARED, Wanted
 from fembearing.check.contact.solution import ContactSolution, compare_contact, sheet_in_series, solve_contact
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.report.document import Section

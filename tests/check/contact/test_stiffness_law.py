@@ -20,7 +20,8 @@ from fembearing.check.contact.load_series import (
     fit_pocket_law,
     fit_tangents,
 )
-from fembearing.check.contact.refinement import Wanted, solve_reference
+from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import Wanted
 from fembearing.check.contact.solution import compare_contact
 from fembearing.check.contact.warnings import sheet_warnings
 from fembearing.grid_convergence import Estimate

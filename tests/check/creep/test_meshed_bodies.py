@@ -6,13 +6,12 @@ import numpy as np
 import pytest
 
 from analytic.scene import Contact
-from fembearing.check.contact.compliance import meshed_pair
 from fembearing.check.creep.meshed_bodies import MeshedBodies
 from fembearing.check.creep.scene_creep import creep_of
 from fembearing.creep.half_space import HalfSpaces
 from fembearing.creep.rolling import pressed_slip, rolling_surfaces
 from fembearing.creep.strips import Strips, ellipse_strips, hertz_pressure
-from fembearing.fem.compliance import WHOLE, PairCompliance
+from fembearing.fem.compliance import WHOLE, PairCompliance, meshed_pair
 from fembearing.fem.traction import ALONG, NORMAL, Axis, Term
 from tests.check.creep.test_scene_creep import THRUST, scene_of
 from tests.contacts import NITRIDE
