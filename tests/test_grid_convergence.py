@@ -140,8 +140,8 @@ def test_a_singular_quantity_has_three_times_its_last_change() -> None:
     assert part.value == 7.23
 
 
-def test_what_lies_outside_and_the_sides_raise_the_value_and_not_the_last_mesh() -> None:
-    part = replace(estimate((6.0, 7.1, 7.2, 7.25), (1.0, *SIZES), formal_order=None), beyond=0.02, sides=-0.03)
+def test_what_lies_outside_raises_the_value_and_not_the_last_mesh() -> None:
+    part = replace(estimate((6.0, 7.1, 7.2, 7.25), (1.0, *SIZES), formal_order=None), beyond=0.02)
     assert part.limit == 7.25
-    assert part.value == pytest.approx(7.25 * 1.02 * 0.97, rel=1e-12)
+    assert part.value == pytest.approx(7.25 * 1.02, rel=1e-12)
     assert part.spread == pytest.approx(0.15 / part.value, rel=1e-9)  # of the last three

@@ -150,16 +150,17 @@ def sided(contact: Contact, *, near: float, far: float, sides: Sides) -> MeshSol
 
 
 def test_each_side_acts_by_itself_at_a_contact_angle_too() -> None:
-    """Half of the contact, with tilted lands, is the mean of a quarter with either side."""
+    """Half of the contact, with tilted lands, is the mean of a quarter with either side, or of their bodies."""
     contact, recipe = replace(INNER, shoulder=1.2e-3, far_shoulder=2.0e-3), load_recipe("race")
-    even, half, above, below = (
+    even, half, above, below, mean = (
         solve_on_mesh(contact, recipe=recipe, level=2, semi_axes=SEMI_AXES, sides=sides).quantities
-        for sides in ("even", "both", "above", "below")
+        for sides in ("even", "both", "above", "below", "mean")
     )
     for name in COMPARED:
-        found, one, other = (getattr(part, name) for part in (half, above, below))
+        found, one, other, together = (getattr(part, name) for part in (half, above, below, mean))
         # 4e-5: a tenth of what each side does, 4e-4, for what two do together and for the mirrored tilt of the groove
         assert found == pytest.approx((one + other) / 2, rel=4e-5), name
+        assert found == pytest.approx(together, rel=4e-5), name
     assert abs(half.approach / even.approach - 1) > 2e-4
     assert abs(above.approach / below.approach - 1) > 2e-4
 

@@ -34,7 +34,7 @@ from fembearing.check.contact.hertz import (
     profiles_of,
 )
 from fembearing.check.contact.meshed_region import RingStructure, structure_of_ring
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.reference import ORDER, solve_reference
 from fembearing.check.contact.refinement import (
     COMPARED,
     FORMAL_ORDERS,
@@ -398,7 +398,9 @@ def compare_contact(
     corrected, beyond = corrected_hertz(contact, hertz=hertz) if correctable else (None, ())
     values = {} if corrected is None else vars(corrected.quantities)
     part = "half of the contact, " if finest.pair.footprint.half else ""
-    way = "compliance of the pair, " if reference.refinement == "pair" else ""
+    by_pair = reference.refinement == "pair"
+    orders = dict.fromkeys(FORMAL_ORDERS, ORDER) if by_pair else FORMAL_ORDERS
+    way = "compliance of the pair, " if by_pair else ""
     numbers = ContactNumbers(
         pair=contact.pair,
         geometry=geometry,
@@ -406,7 +408,7 @@ def compare_contact(
         contact_angle=contact.contact_angle,
         tolerance=tolerance,
         quantities=compared,
-        formal_order={name: None if reference.shoulder else FORMAL_ORDERS[name] for name in compared},
+        formal_order={name: None if reference.shoulder else orders[name] for name in compared},
         corrected=corrected,
         interpolation_error={name: value / compared[name].reference - 1 for name, value in values.items()},
         verdict=worst(each.verdict for each in compared.values()),

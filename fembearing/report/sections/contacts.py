@@ -106,10 +106,7 @@ def contact_table(contacts: Sequence[ContactNumbers], units: Units = METRIC) -> 
         Group(list(_rows(contact, units)), contact_title(contact, units), _notes(contact, units))
         for contact in contacts
     ]
-    words = (
-        "order: observed on three meshes, -: two levels of the pair's compliance; outside: outside the validity of "
-        "Hertz"
-    )
+    words = "order: observed on three meshes or more, if it is; outside: outside the validity of Hertz"
     return Table("Contacts", heads, groups, [f"{AXES}. {UNCERTAIN}; {words}."])
 
 
@@ -122,7 +119,7 @@ def _rows(contact: ContactNumbers, units: Units) -> Iterator[Row]:
             digits(each.reference, factor),
             _off(each),
             shown(each.relative_uncertainty, ".2%"),
-            shown(study.order, ".1f", absent="-" if contact.refinement == "pair" else "none"),
+            shown(study.order, ".1f", absent="-"),
             each.verdict.removesuffix(" validity"),
         ]
 

@@ -143,13 +143,13 @@ def test_a_tolerance_must_be_positive() -> None:
 def test_errors_of_a_contact_fall_within_bounds_from_hertz_to_all_meshes(contacts: dict[str, Contact]) -> None:
     """Measured, and taken from a solution, whose numbers give the errors here; the contact is outside the fits."""
     recipe = replace(load_recipe("race"), levels=(1, 2, 3))
-    *methods, twin, extrapolated = measured(
+    *methods, pair, extrapolated = measured(
         "contact", *contact_methods(contacts["inner"], recipe), tolerance=0.01, repeats=1
     ).methods
     assert [method.name[-7:] for method in methods[2:]] == [f"level {level}" for level in (1, 2, 3, 1, 2)]
     for method in methods:
         assert present(method.error) < present(method.bound) < 10 * present(method.error), method.name
-    assert present(twin.error) < present(twin.bound) + present(extrapolated.bound)
+    assert present(pair.error) < present(pair.bound) + present(extrapolated.bound)
     solved = compare_contact(contacts["inner"], recipe=recipe, tolerance=0.01)
     taken = contact_ladder_of(solved).methods
     numbers = solved.numbers
