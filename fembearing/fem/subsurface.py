@@ -62,14 +62,13 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
     place, stresses = _stress_at_axis(body, displacement, material)
     minor = min(solution.pair.semi_axes)  # of the mesh: the measured ones are 0 where a single node touches
     lines = _layers(body)
-
     degree = min(3, lines.size - 1)  # with fewer than three layers there are too few points for a cubic
 
     def powers(depth: Array) -> Array:
         """(n, k) all splines are sums of these columns, each a power that sets in at a knot."""
         # Layers are even near the surface and grow below it; in this coordinate all are about even.
         even, knots = np.arcsinh(depth / minor)[:, None], np.arcsinh(lines / minor)
-        return np.hstack([even ** np.arange(degree), np.maximum(even - knots[:-1], 0.0) ** degree])
+        return np.hstack([even ** np.arange(float(degree)), np.maximum(even - knots[:-1], 0.0) ** degree])
 
     spline = np.linalg.lstsq(powers(place), stresses)[0]
     depth = np.linspace(0.0, min(DEEPEST * minor, lines[-1]), POINTS)
