@@ -1,11 +1,11 @@
 """The main job: every contact of a scene, formula against finite elements, and its friction torque."""
 
 import time
-from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import CancelledError, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from threading import Event, Lock
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,6 +35,7 @@ from fembearing.check.measured.comparison import MeasuredComparison, compare_mea
 from fembearing.check.memory import peak_memory
 from fembearing.check.sensitivity import Sensitivity, sensitivity_of
 from fembearing.check.torque_change import TorqueChange, change_of_torque
+from fembearing.fem.factor import solver_threads
 from fembearing.mesh.recipe import Geometry
 from fembearing.provenance import Provenance, provenance_of
 
@@ -190,17 +191,20 @@ def check_scene(
     film: bool = True,
     creep: bool = True,
     progress: Progress = silent,
+    at_contacts: Callable[[tuple[ContactSolution, ...]], None] | None = None,
 ) -> Validation:
     """Check each race contact of a scene, and where it has a cage the pocket, in a thick seat and in its sheet.
 
-    Of a pair the races of both bearings are checked, and the pocket once, as both have the same.
+    Of a pair the races of both bearings are checked, and the pocket once, as both have the same. Contacts, films,
+    friction and sensitivity are computed side by side on the cores that `solver_threads` allows.
 
     tolerance : relative; the scene's unless given
     cost : measure every method of every ladder too
     samples : of the 95 % interval of the torque, or "enough"; None: no interval
     film : solve the lubricated contacts too, where there is oil and motion
     creep : solve the friction of the heaviest ball too, where something slides
-    progress : called with the share done, 0 to 1, and a word on the step at hand
+    progress : called with the share done, 0 to 1, and a word on the step at hand; from several threads, in turn
+    at_contacts : called with the contacts as soon as all are solved
     Raises InputError for a scene that cannot be solved, ConvergenceError for a contact that does not settle.
     """
     start = time.perf_counter()
@@ -220,49 +224,93 @@ def check_scene(
     oiled = film and moves and scene.lubricant is not None
     slipping = bearings if creep and moves and friction is not None and friction.sliding != "none" else []
     races: list[tuple[OneBearing, Race]] = [(each, race) for each in bearings for race in RACE_NAMES] if oiled else []
-    spent = [job.seconds for job in jobs] + [FILM_SECONDS] * len(races) + [CREEP_SECONDS] * len(slipping)
-    shares = np.cumsum([0.0, *spent]) / (sum(spent) + COST_SECONDS * cost)
-    steps = (part_of(progress, *ends) for ends in pairwise(shares))
-    contacts = _contacts(jobs, steps)
-    films, missing, change = [], [], None
-    for each, race in races:
-        with _noted(missing, f"no numerical film on the {race} race{which_bearing(each.name)}"):
-            found = film_of(each.scene, pair=race, progress=next(steps))
-            films.append(replace(found, numbers=replace(found.numbers, bearing=each.name)))
-    if films and friction is not None:
-        with _noted(missing, "no torque with the numerical films"):
-            change = film_change(scene, friction, tuple(films))
+    seconds = [job.seconds for job in jobs] + [FILM_SECONDS] * len(races) + [CREEP_SECONDS] * len(slipping)
+    solved = sum(seconds) / (sum(seconds) + COST_SECONDS * cost)
+    films, slips, missing = [], [], []
+    by_films = None
+    with _side_by_side(part_of(progress, 0.0, solved), seconds) as (threads, steps):
+        solving = threads.submit(_contacts, jobs, [next(steps) for _ in jobs])
+        filming = [(each, race, threads.submit(_film, each, race, next(steps))) for each, race in races]
+        creeping = [(each, threads.submit(_creep, each, next(steps))) for each in slipping]
+        varying = threads.submit(sensitivity_of, scene)
+        recording = threads.submit(_recorded, scene, friction)
+        contacts = solving.result()
+        if at_contacts is not None:
+            at_contacts(contacts)
+        changing = threads.submit(_changed, scene, friction, contacts)
+        for each, race, film_found in filming:
+            with _noted(missing, f"no numerical film on the {race} race{which_bearing(each.name)}"):
+                films.append(film_found.result())
+        if films and friction is not None:
+            with _noted(missing, "no torque with the numerical films"):
+                by_films = film_change(scene, friction, tuple(films))
+        for each, creep_found in creeping:
+            with _noted(missing, f"no numerical friction{which_bearing(each.name)}"):
+                slips.append(creep_found.result())
     return Validation(
         scene=scene,
         contacts=contacts,
         torque=torque,
-        torque_change=None if friction is None else change_of_torque(scene, friction, **_heaviest(contacts)),
+        torque_change=changing.result(),
         films=tuple(films),
-        film_change=change,
-        creep=tuple(_creep(slipping, steps, missing)),
+        film_change=by_films,
+        creep=tuple(slips),
         missing=tuple(missing),
         hard=last_run(),
-        ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, shares[-1], 1.0)).ladders
+        ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, solved, 1.0)).ladders
         if cost
         else tuple(contact_ladder_of(contact) for contact in contacts if contact.numbers.judged),
         measured=cost,
         measured_torques=measured_torques,
-        sensitivity=sensitivity_of(scene),
-        cage_records=() if friction is None else _recorded(scene, friction),
+        sensitivity=varying.result(),
+        cage_records=recording.result(),
         seconds=time.perf_counter() - start,
         peak_memory=peak_memory(),
         provenance=provenance_of(scene, seeds=_seeds(scene, torque, measured_torques, cost=cost)),
     )
 
 
-def _creep(bearings: Sequence[OneBearing], steps: Iterator[Progress], missing: list[str]) -> Iterator[SceneCreep]:
-    """The numerical friction of the heaviest ball of each bearing."""
-    for each in bearings:
-        with _noted(missing, f"no numerical friction{which_bearing(each.name)}"):
-            limit = max(each.scene.tolerance, CREEP_TOLERANCE)
-            found = creep_of(each.scene, tolerance=limit, progress=next(steps))
-            numbers = replace(found.numbers, bearing=each.name)
-            yield replace(found, numbers=numbers, place=int(each.points[found.place]))
+@contextmanager
+def _side_by_side(
+    progress: Progress, seconds: Sequence[float]
+) -> Iterator[tuple[ThreadPoolExecutor, Iterator[Progress]]]:
+    """Threads, and a progress for each of the parts that they work on; seconds : that each part takes
+
+    Where one part fails, or the user ends the check, the others end at their next step.
+    """
+    done, turn, ended = [0.0] * len(seconds), Lock(), Event()
+
+    def part(number: int) -> Progress:
+        def tell(share: float, step: str) -> None:
+            if ended.is_set():
+                raise CancelledError
+            with turn:
+                done[number] = max(done[number], share * seconds[number])
+                progress(min(sum(done) / sum(seconds), 1.0), step)
+
+        return tell
+
+    with ThreadPoolExecutor(solver_threads()) as threads:
+        try:
+            yield threads, map(part, range(len(seconds)))
+        except BaseException:
+            ended.set()
+            threads.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def _film(of: OneBearing, race: Race, progress: Progress) -> RaceFilm:
+    """The film of the heaviest ball of a bearing on a race."""
+    found = film_of(of.scene, pair=race, progress=progress)
+    progress(1.0, f"{race}: film solved")
+    return replace(found, numbers=replace(found.numbers, bearing=of.name))
+
+
+def _creep(of: OneBearing, progress: Progress) -> SceneCreep:
+    """The numerical friction of the heaviest ball of a bearing."""
+    found = creep_of(of.scene, tolerance=max(of.scene.tolerance, CREEP_TOLERANCE), progress=progress)
+    progress(1.0, "friction solved")
+    return replace(found, numbers=replace(found.numbers, bearing=of.name), place=int(of.points[found.place]))
 
 
 @contextmanager
@@ -283,7 +331,7 @@ def _jobs(scene: Scene, bearings: Sequence[OneBearing]) -> list[_Job]:
     return jobs
 
 
-def _contacts(jobs: Sequence[_Job], steps: Iterator[Progress]) -> tuple[ContactSolution, ...]:
+def _contacts(jobs: Sequence[_Job], steps: Sequence[Progress]) -> tuple[ContactSolution, ...]:
     """The contacts in the order of the jobs, races with their rings; steps : the progress of each"""
     with ThreadPoolExecutor(1) as beside:  # each ring is computed while the next contact is solved
         contacts = []
@@ -297,15 +345,18 @@ def _contacts(jobs: Sequence[_Job], steps: Iterator[Progress]) -> tuple[ContactS
                 accuracy=ENOUGH * tolerance,
                 progress=step,
             )
+            step(1.0, f"{job.pair}: solved")
             contacts.append(beside.submit(_with_ring_if_known, solved.with_numbers(bearing=job.of.name)))
     return tuple(each.result() for each in contacts)
 
 
-def _heaviest(contacts: Sequence[ContactSolution]) -> dict[Race, ContactSolution]:
-    """Both races of the bearing with the heaviest ball."""
+def _changed(scene: Scene, friction: FrictionTorque | None, contacts: Sequence[ContactSolution]) -> TorqueChange | None:
+    """By both races of the bearing with the heaviest ball; None without a torque."""
+    if friction is None:
+        return None
     inner, outer = ([each for each in contacts if each.contact.pair == race] for race in RACE_NAMES)
-    both = max(zip(inner, outer, strict=True), key=lambda both: max(each.contact.load for each in both))
-    return dict(zip(RACE_NAMES, both, strict=True))
+    heaviest = max(zip(inner, outer, strict=True), key=lambda both: max(each.contact.load for each in both))
+    return change_of_torque(scene, friction, inner=heaviest[0], outer=heaviest[1])
 
 
 def _seeds(
@@ -325,9 +376,11 @@ def _seeds(
     return seeds
 
 
-def _recorded(scene: Scene, friction: FrictionTorque) -> tuple[CageRecord, ...]:
+def _recorded(scene: Scene, friction: FrictionTorque | None) -> tuple[CageRecord, ...]:
     """The motion at the slowest and the fastest point whose cage moved; the torque holds its statistics alone."""
-    moved = [] if friction.cage is None else [point for point, motion in enumerate(friction.cage.motion) if motion]
+    if friction is None or friction.cage is None:
+        return ()
+    moved = [point for point, motion in enumerate(friction.cage.motion) if motion]
     by_speed = sorted(moved, key=lambda point: abs(friction.inner_speed[point]))
     records = (record_cage(scene, friction, point) for point in dict.fromkeys(by_speed[:1] + by_speed[-1:]))
     return tuple(record for record in records if record is not None)

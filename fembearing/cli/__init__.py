@@ -6,7 +6,9 @@ accuracy required of the finite elements, and the deviation of Hertz is shown, n
 What a command computes with is imported in its function, so that `--help` stays quick.
 """
 
+import atexit
 import gc
+import os
 import sys
 from collections.abc import Callable
 from typing import Annotated, Any
@@ -50,7 +52,7 @@ _COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of 
 }
 COMMANDS = {name: (with_groups(function), example) for name, (function, example) in _COMMANDS.items()}
 # Between two searches for garbage: imports make many objects, all of which stay. It saves a tenth of a second.
-OBJECTS = 100_000
+OBJECTS = 500_000
 STATUSES = """Exit status: 0 done, no check failed; 1 a check failed; 2 input error; 3 required accuracy not reached, or
 a verdict not known; 70 defect of fembearing; 71 out of memory; 74 file or stream not readable or writable; 130, 141,
 143 ended by Ctrl-C, a closed pipe, a signal."""
@@ -89,7 +91,10 @@ def about(
 
 def main() -> None:
     """Run the command line; `boundary` has what becomes of failures."""
+    # Before NumPy is loaded: solvers share the cores themselves, and the threads of BLAS would wait for each other.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     gc.set_threshold(OBJECTS)
+    atexit.register(gc.freeze)  # at its end Python would search all objects once more, for up to 0.2 s
     examples = {name: example for name, (_, example) in COMMANDS.items()}
     sys.exit(guarded(lambda: app(standalone_mode=False), examples=examples))
 

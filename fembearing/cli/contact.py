@@ -86,15 +86,16 @@ def contact(
         return
     if level is not None:
         raise InputError(f"--level {level} goes with --mesh; --tolerance decides on the meshes of a solution")
-    from fembearing.check.contact.load_series import solve_load_series
-    from fembearing.check.contact.solution import solve_contact
-    from fembearing.check.contact.subsurface import compare_subsurface
-
     with talk.progress() as progress:
         settings: dict[str, Any] = {"pair": pair, "accuracy": limit, "geometry": geometry, "progress": progress}
         if len(loads) > 1:
+            from fembearing.check.contact.load_series import solve_load_series
+
             show = partial(_show_series, solve_load_series(read, loads=loads, **settings), read, talk)
         else:
+            from fembearing.check.contact.solution import solve_contact
+            from fembearing.check.contact.subsurface import compare_subsurface
+
             result, below = solve_contact(read, load=loads[0] if loads else None, **settings), None
             progress(0.8, f"{result.contact.pair}: stress under the contact")
             try:
@@ -117,33 +118,35 @@ def _show_contact(
     as_json: bool,
 ) -> dict[str, float]:
     """The relative uncertainties of the quantities that are to be known to the accuracy, by their names."""
-    from analytic.units import SYSTEMS
     from fembearing.check.contact.refinement import COMPARED
     from fembearing.check.contact.solution import SHOWN_OF_A_SHEET
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
-    from fembearing.report.sections.contacts import contact_sections
-    from fembearing.report.terminal import print_sections
 
     found = result.numbers
     if as_json:
         print_json(document("contact", found, accuracy=accuracy, subsurface=below))
     else:
+        from analytic.units import SYSTEMS
+        from fembearing.report.sections.contacts import contact_sections
+        from fembearing.report.terminal import print_sections
+
         print_sections(out, contact_sections(found, below, SYSTEMS[read.report.units]))
         talk.warn(found.warnings, read=read.warnings)
     return {name: found.estimates[name].total for name in (COMPARED if found.judged else SHOWN_OF_A_SHEET)}
 
 
 def _show_series(result: "LoadSeries", read: "Scene", talk: Talk, *, as_json: bool) -> dict[str, float]:
-    from analytic.units import SYSTEMS
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
-    from fembearing.report.sections.contacts import series_sections
-    from fembearing.report.terminal import print_sections
 
     if as_json:
         print_json(document("load series", result))
     else:
+        from analytic.units import SYSTEMS
+        from fembearing.report.sections.contacts import series_sections
+        from fembearing.report.terminal import print_sections
+
         print_sections(out, series_sections(result, SYSTEMS[read.report.units]))
         talk.warn(result.warnings, read=read.warnings)
     return {f"approach at {part.load:g} N": part.approach.study.total for part in result.points if part.approach.study}

@@ -73,6 +73,13 @@ class Talk:
         """Say warnings; a quiet command only those that say how the input was `read`, as they change the number."""
         print_warnings(each for each in warnings if not self.quiet or each in read)
 
+    def early(self, line: str) -> None:
+        """Say a line of the result before the rest is known, where the progress is shown."""
+        from fembearing.cli.console import err
+
+        if self.verbose or (err.is_terminal and not self.quiet):
+            err.tell(f"fembearing: {line}")
+
     def progress(self) -> AbstractContextManager[Callable[[float, str], None]]:
         """As `console.shown_progress`."""
         from fembearing.cli.console import shown_progress

@@ -68,12 +68,14 @@ def validate(
 ) -> None:
     """Check contacts, film, friction and torque of a scene against numerical references.
 
-    One line per reference gives the largest difference; --details, --json and the report give all differences.
+    One line per reference gives the largest difference; --details, --json and the report give all differences. That of
+    the contacts stands beside the progress as soon as they are solved.
     """
     read = signed.of(given.scene(scene))
     limit = read_tolerance(tolerance, read)
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
+    from fembearing.report.findings import contact_finding
     from fembearing.report.folder import validate as run
     from fembearing.report.report import report_of
     from fembearing.report.sections.headline import check_headline
@@ -91,6 +93,7 @@ def validate(
             film=not no_film,
             creep=not no_creep,
             progress=progress,
+            at_contacts=lambda contacts: talk.early(contact_finding([each.numbers for each in contacts]).words),
         )
     report = report_of(result)
     if as_json:

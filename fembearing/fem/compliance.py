@@ -13,10 +13,9 @@ else of the bodies.
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from analytic.errors import InputError
 from analytic.scene import Array, Contact
@@ -34,6 +33,9 @@ from fembearing.mesh.footprint import Footprint, Sides, as_quarter
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.race import block_of_race, race_height
 from fembearing.mesh.recipe import Recipe, load_recipe
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicSpline
 
 Places = tuple[Array, Array]  # x and y
 DEGREES: tuple[tuple[Axis, int], ...] = ((ALONG, 3), (ACROSS, 3), (NORMAL, 4))  # of all that is sampled
@@ -248,7 +250,7 @@ class ComplianceOverLoad:
     """The compliance of one contact under any load of a range: a spline over the logarithm of the load."""
 
     sample: PairCompliance  # at the least load
-    spline: CubicSpline | None  # of ln(semi-axes) and of `added`; None: the least load is the only one
+    spline: "CubicSpline | None"  # of ln(semi-axes) and of `added`; None: the least load is the only one
 
     def at(self, load: float) -> PairCompliance:
         """The compliance for the ellipse of a load, N."""
@@ -265,6 +267,10 @@ class ComplianceOverLoad:
 
 def compliance_over_load(sampled: Sequence[PairCompliance]) -> ComplianceOverLoad:
     """Between the loads of samples of one contact, in ascending order."""
+    if len(sampled) == 1:
+        return ComplianceOverLoad(sample=sampled[0], spline=None)
+    from scipy.interpolate import CubicSpline  # a tenth of a second to import, and a single load needs none
+
     values = [np.append(np.log(each.semi_axes), each.added.ravel()) for each in sampled]
-    loads = np.log([each.contact.load for each in sampled])
-    return ComplianceOverLoad(sample=sampled[0], spline=CubicSpline(loads, values) if len(sampled) > 1 else None)
+    spline = CubicSpline(np.log([each.contact.load for each in sampled]), values)
+    return ComplianceOverLoad(sample=sampled[0], spline=spline)

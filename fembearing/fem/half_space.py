@@ -12,13 +12,14 @@ Source: [Johnson1985] section 4.2, whose integrals over the potential of an elli
 import math
 
 import numpy as np
-from scipy.optimize import brentq
 from scipy.special import elliprd, elliprf
 
 from analytic.scene import Array, Contact, Material
 from fembearing.fem.measure import Quantities
 
-ROUND_OFF = 1e-15  # of the logarithm of an axis ratio
+# Slope of the logarithm of the ratio of curvatures over that of the axis ratio: 1.5 at a circle, up to 2 at a line.
+# With the mean each step leaves a seventh of the error or less; all of them leave round-off.
+SLOPE, STEPS = 1.75, 20
 
 
 def plane_strain_modulus(material: Material) -> float:
@@ -67,13 +68,10 @@ def hertz_ellipse(curvatures: tuple[float, float], *, load: float, modulus: floa
     The axis ratio b/a depends on the ratio of curvatures alone; it lies between 1 and that ratio.
     """
     x, y = curvatures
-    wanted = math.log(x / y)
-
-    def miss(logarithm: float) -> float:
-        there = curvatures_under((1.0, math.exp(logarithm)), load=1.0, modulus=1.0)
-        return math.log(there[0] / there[1]) - wanted
-
-    ratio = math.exp(brentq(miss, *sorted((0.0, wanted)), xtol=ROUND_OFF)) if wanted else 1.0
+    ratio = 1.0
+    for _ in range(STEPS):
+        there = curvatures_under((1.0, ratio), load=1.0, modulus=1.0)
+        ratio *= (x / y * there[1] / there[0]) ** (1 / SLOPE)
     unit, _ = curvatures_under((1.0, ratio), load=load, modulus=modulus)
     a = (unit / x) ** (1 / 3)  # curvatures fall with the cube of the size
     return a, ratio * a

@@ -4,13 +4,12 @@ Depth runs from the centre of the contact along the load into the body; tensile 
 the two planes of symmetry meet, the rolling (x), the transverse (y) and the load direction (z) are principal.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import make_lsq_spline
-from scipy.optimize import minimize_scalar
 from skfem import Basis, ElementHex2
 
 from analytic.errors import InputError
@@ -63,21 +62,20 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
     place, stresses = _stress_at_axis(body, displacement, material)
     minor = min(solution.pair.semi_axes)  # of the mesh: the measured ones are 0 where a single node touches
     lines = _layers(body)
-
-    def even(depth: Any) -> Any:
-        return np.arcsinh(
-            depth / minor
-        )  # layers are even near the surface and grow below it; in this coordinate all are about even
-
-    knots = even(lines)
     degree = min(3, lines.size - 1)  # with fewer than three layers there are too few points for a cubic
-    ends = np.repeat(knots[0], degree), np.repeat(knots[-1], degree)
-    spline = make_lsq_spline(even(place), stresses, np.concatenate([ends[0], knots, ends[1]]), k=degree)
+
+    def powers(depth: Array) -> Array:
+        """(n, k) all splines are sums of these columns, each a power that sets in at a knot."""
+        # Layers are even near the surface and grow below it; in this coordinate all are about even.
+        even, knots = np.arcsinh(depth / minor)[:, None], np.arcsinh(lines / minor)
+        return np.hstack([even ** np.arange(float(degree)), np.maximum(even - knots[:-1], 0.0) ** degree])
+
+    spline = np.linalg.lstsq(powers(place), stresses)[0]
     depth = np.linspace(0.0, min(DEEPEST * minor, lines[-1]), POINTS)
-    stress = spline(even(depth)).T
+    stress = (powers(depth) @ spline).T
     shear, mises = _max_shear(stress), von_mises(stress)
-    greatest_shear, shear_depth = _greatest(depth, shear, lambda at: float(_max_shear(spline(even(at)))))
-    greatest_mises, mises_depth = _greatest(depth, mises, lambda at: float(von_mises(spline(even(at)))))
+    greatest_shear, shear_depth = _greatest(depth, shear, lambda at: _max_shear((powers(at) @ spline).T))
+    greatest_mises, mises_depth = _greatest(depth, mises, lambda at: von_mises((powers(at) @ spline).T))
     return SubsurfaceStress(
         depth=depth,
         stress=stress,
@@ -156,14 +154,10 @@ def von_mises(stress: Array) -> Array:
     return np.sqrt(normal / 2 + 3 * np.square(shear).sum(axis=0))
 
 
-def _greatest(depth: Array, values: Array, measure: Any) -> tuple[float, float]:
+def _greatest(depth: Array, values: Array, measure: Callable[[Array], Array]) -> tuple[float, float]:
     """The largest value of a curve, refined between its points, and its depth, m."""
     top = int(np.argmax(values))
-    low, high = depth[max(top - 1, 0)], depth[min(top + 1, depth.size - 1)]
-    tolerance = 1e-6 * (high - low)  # m; SciPy's default, 1e-5 m, is larger than a contact
-    refined: Any = minimize_scalar(
-        lambda at: -measure(at), bounds=(low, high), method="bounded", options={"xatol": tolerance}
-    )
-    if -refined.fun > values[top]:
-        return float(-refined.fun), float(refined.x)
-    return float(values[top]), float(depth[top])  # on the surface, which the search approaches but never reaches
+    between = np.linspace(depth[max(top - 1, 0)], depth[min(top + 1, depth.size - 1)], POINTS)
+    refined = measure(between)
+    top = int(np.argmax(refined))
+    return float(refined[top]), float(between[top])

@@ -25,7 +25,7 @@ from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
+from scipy.special import lambertw
 from skfem import MeshHex1, MeshHex2
 
 from analytic.scene import Array
@@ -192,7 +192,9 @@ def depth_lines(layers: int, *, depth: Depth, minor: float, extent: float) -> Ar
     if slope >= extent:
         lines = steps * extent
     else:
-        rate = brentq(lambda rate: even + slope * np.expm1(rate * (1 - share)) / rate - extent, 1e-9, 500.0)
+        # The last line is at `extent`: expm1(x) = c x with x = rate (1 - share), which Lambert's W solves.
+        c = (extent - even) / (slope * (1 - share))
+        rate = (-1 / c - lambertw(-np.exp(-1 / c) / c, -1).real) / (1 - share)
         thicker = even + slope * np.expm1(rate * np.maximum(steps - share, 0)) / rate
         lines = np.where(steps <= share, slope * steps, thicker)
     return np.interp(np.arange(2 * layers + 1) / 2, np.arange(layers + 1), lines)

@@ -61,7 +61,7 @@ def findings_of(
     friction: ShownVerdict,
 ) -> Iterator[Finding]:
     """One of each reference that the check has;  friction : the verdict on it"""
-    yield _of_contacts([contact for contact in contacts if contact.judged])
+    yield contact_finding(contacts)
     if films:
         yield _of_films(films)
     if creep:
@@ -78,8 +78,9 @@ def _size(finding: Finding) -> float:
     return abs(finding.difference)
 
 
-def _of_contacts(contacts: Sequence[ContactNumbers]) -> Finding:
-    verdict = worst(contact.verdict for contact in contacts)
+def contact_finding(contacts: Sequence[ContactNumbers]) -> Finding:
+    """The largest difference that finite elements show of Hertz, over the contacts that are judged."""
+    verdict = worst(contact.verdict for contact in contacts if contact.judged)
     found = (
         Finding(
             reference="contacts",
@@ -90,6 +91,7 @@ def _of_contacts(contacts: Sequence[ContactNumbers]) -> Finding:
             verdict=verdict,
         )
         for contact in contacts
+        if contact.judged
         for name, quantity in CONTACT.items()
     )
     return max(found, key=_size)

@@ -1,6 +1,7 @@
 """The main job with its report in a folder."""
 
 import os
+from collections.abc import Callable
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
@@ -14,6 +15,7 @@ from analytic.scene import Scene
 from analytic.scene_torque import Samples
 from analytic.scenefile.parts import Given
 from analytic.writing import new_folder, write
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.film.scene_film import RaceFilm
 from fembearing.check.validation import Validation, check_scene
 from fembearing.plain_types import json_of
@@ -38,6 +40,7 @@ def validate(
     film: bool = True,
     creep: bool = True,
     progress: Progress = silent,
+    at_contacts: Callable[[tuple[ContactSolution, ...]], None] | None = None,
     **given: Unpack[SceneOptions],
 ) -> Validation:
     """Check every contact of a scene, and write the report.
@@ -61,7 +64,10 @@ def validate(
     creep : bool
         Solve stick and slip of the heaviest ball on both races too, where something slides.
     progress : callable
-        Called with the share done, 0 to 1 (dimensionless), and a word on the step at hand.
+        Called with the share done, 0 to 1 (dimensionless), and a word on the step at hand; from several threads, one
+        call at a time.
+    at_contacts : callable, optional
+        Called with all contacts as soon as they are solved, while film and friction are.
     **given : float, str, list or mapping
         With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
 
@@ -86,7 +92,14 @@ def validate(
         checked = 1.0 if folder is None else CHECKED
         solving = part_of(progress, 0.0, checked)
         result = check_scene(
-            scene, tolerance=tolerance, cost=cost, samples=samples, film=film, creep=creep, progress=solving
+            scene,
+            tolerance=tolerance,
+            cost=cost,
+            samples=samples,
+            film=film,
+            creep=creep,
+            progress=solving,
+            at_contacts=at_contacts,
         )
         if folder is not None:
             progress(CHECKED, "report")

@@ -2,6 +2,8 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from threading import active_count
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,8 +11,12 @@ import pytest
 from analytic.errors import InputError
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene
+from fembearing.check.contact import scene_contact
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.torque_change import change_of_torque
 from fembearing.check.validation import Validation, check_scene
+from fembearing.mesh.recipe import Recipe
+from fembearing.plain_types import plain
 from tests.analytic.specimens import present
 from tests.conftest import Checked
 
@@ -26,11 +32,82 @@ def test_a_scene_with_a_cage_has_both_races_and_its_pocket_twice(checked: Valida
 
 
 def test_the_progress_never_goes_back(checked_with_progress: Checked) -> None:
-    """One contact after the other; each solve tells the start of its steps, the last one in the last third."""
     shares = checked_with_progress.shares
     assert shares == sorted(shares)
-    assert shares[0] == 0
-    assert 2 / 3 < shares[-1] <= 1
+    assert (shares[0], shares[-1]) == (0, 1)
+
+
+@pytest.fixture
+def oiled(shallow: Callable[[str], Recipe], monkeypatch: pytest.MonkeyPatch) -> Scene:
+    """Both races with film and friction at one operating point, for meshes of few cells."""
+    monkeypatch.setattr(scene_contact, "load_recipe", shallow)
+    scene = load_scene("paper_6205")
+    return replace(scene, cage=None, operation=scene.operation.as_series().at(np.array([3])), tolerance=0.9)
+
+
+def test_numbers_and_their_order_do_not_depend_on_the_number_of_threads(
+    oiled: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And the shares rise all the same."""
+
+    def numbers(threads: str) -> list[Any]:
+        monkeypatch.setenv("OMP_NUM_THREADS", threads)
+        shares: list[float] = []
+        found = check_scene(oiled, progress=lambda share, _: shares.append(share))
+        assert shares == sorted(shares)
+        compared = [each.numbers.quantities for each in (*found.contacts, *found.films)]
+        races = [each.numbers.races for each in found.creep]
+        totals = [present(found.torque_change).total, present(found.film_change)]
+        return plain([compared, races, totals, found.sensitivity, found.warnings])
+
+    assert numbers("1") == numbers("3")
+
+
+def test_who_ends_a_check_at_its_contacts_waits_for_no_film(oiled: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The contacts come first: by one thread nothing else is solved before. All threads end."""
+    monkeypatch.setenv("OMP_NUM_THREADS", "1")
+    threads, steps, contacts = active_count(), [], []
+
+    def ended(found: tuple[ContactSolution, ...]) -> None:
+        contacts.extend(found)
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        check_scene(oiled, progress=lambda _, step: steps.append(step), at_contacts=ended)
+    assert [each.numbers.pair for each in contacts] == ["inner", "outer"]
+    assert steps[-1].startswith(("outer: solved", "inner: film on"))
+    assert active_count() == threads
+
+
+def test_a_failure_of_the_friction_is_noted_after_those_of_films(oiled: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whichever of them comes first."""
+    monkeypatch.setenv("OMP_NUM_THREADS", "3")
+
+    def refused(_share: float, step: str) -> None:
+        if "film" in step or "friction" in step:
+            raise InputError(f"{step} is refused")
+
+    found = check_scene(oiled, progress=refused)
+    assert (found.films, found.creep, found.film_change) == ((), (), None)
+    assert [words.partition(":")[0] for words in found.missing] == [
+        "no numerical film on the inner race",
+        "no numerical film on the outer race",
+        "no numerical friction",
+    ]
+    assert len(found.contacts) == 2
+
+
+def test_a_defect_of_one_part_ends_the_check(oiled: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("OMP_NUM_THREADS", "3")
+    threads = active_count()
+
+    def broken(_share: float, step: str) -> None:
+        if "friction" in step:
+            raise ZeroDivisionError(step)
+
+    with pytest.raises(ZeroDivisionError, match="friction"):
+        check_scene(oiled, progress=broken)
+    assert active_count() == threads
 
 
 def test_each_race_takes_its_own_contact_to_the_torque(checked: Validation) -> None:

@@ -189,3 +189,16 @@ def test_without_bore_and_cage_the_races_are_checked_alone(command, tmp_path: Pa
     assert (ended.status, ended.err) == (0, "")
     assert [(contact["pair"], contact["ring"]) for contact in found["contacts"]] == [("inner", None), ("outer", None)]
     assert {"bore_diameter", "outside_diameter"} <= set(re.findall(r"\w+", " ".join(found["warnings"])))
+
+
+@pytest.mark.usefixtures("coarse")
+def test_the_line_of_the_contacts_comes_before_the_friction_is_solved(command, tmp_path: Path) -> None:
+    """Beside the progress alone; the result has it too, broken into lines of a terminal."""
+    scene = tmp_path / "scene.toml"
+    scene.write_text(NO_BORE + "[friction]\ncoefficient = 0.07\n", "utf-8")
+    told = command("validate", str(scene), "--json", "--verbose").err.splitlines()
+    (early,) = [line for line in told if line.startswith("fembearing: contacts: ")]
+    assert told.index(early) < next(place for place, line in enumerate(told) if "friction solved" in line)
+    usual = command("validate", str(scene))
+    assert early.removeprefix("fembearing: ") in " ".join(usual.out.split())
+    assert "contacts: " not in usual.err

@@ -58,7 +58,6 @@ from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.nodal_stress import stress_at_nodes
 from fembearing.fem.solution import MeshSolution
 from fembearing.fem.subsurface import Side, body_displacement, body_of, von_mises
-from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring
 
@@ -241,6 +240,8 @@ class ContactSolution(Brief):
         dict
             The paths, by "upper" and "lower".
         """
+        from fembearing.mesh.meshfile import write_body  # with meshio: only a file pays for it
+
         finest = self.meshes[-1]
         written: dict[str, Path] = {}
         sides: tuple[Side, ...] = ("upper", "lower")

@@ -1,21 +1,24 @@
 """Contacts by Hertz and by finite elements: their quantities, the pocket, the stress below, a series of loads."""
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from analytic.columns import CONTACT, STRESSES
 from analytic.labelled import Column
 from analytic.units import METRIC, MICRO, STIFFNESS, TANGENT, Units
 from analytic.words import angle_of, percent_of
 from fembearing.check.comparison import Comparison
-from fembearing.check.contact.load_series import LoadSeries, PocketLaw
 from fembearing.check.contact.meshed_region import RingStructure
 from fembearing.check.contact.scene_contact import POCKET_LOAD, place_of
 from fembearing.check.contact.solution import ContactNumbers, sheet_in_series
 from fembearing.check.contact.subsurface import SubsurfaceComparison
 from fembearing.report.document import Bullets, Group, Head, Row, Section, Table, Text, table_of
 from fembearing.report.phrases import AXES, capital, digits, shown
-from fembearing.report.report import Report
 from fembearing.report.sections.points import heaviest_point, point_name
+
+if TYPE_CHECKING:  # a contact alone needs neither the check of a scene nor a series of loads
+    from fembearing.check.contact.load_series import LoadSeries, PocketLaw
+    from fembearing.report.report import Report
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(short="pressure at y = 0")
 
@@ -43,7 +46,7 @@ OFF = "Hertz/FE-1"  # Hertz's over finite elements, less one
 UNCERTAIN = "FE: finite elements; +-: their numerical uncertainty, 95 %; *: the difference exceeds it"
 
 
-def contacts_section(document: Report) -> Section:
+def contacts_section(document: "Report") -> Section:
     """Every contact of a check with its verdicts, and whether the differences are resolved."""
     units, tolerance = document.units, percent_of(document.tolerance)
     words = (
@@ -64,7 +67,7 @@ def contacts_section(document: Report) -> Section:
     )
 
 
-def _explained(document: Report, tolerance: str) -> Iterator[str]:
+def _explained(document: "Report", tolerance: str) -> Iterator[str]:
     """What the verdicts are on."""
     yield (
         f"Stiffness: load over approach^1.5. Pass: |Hertz/FE-1| and its uncertainty together within {tolerance}; fail: "
@@ -83,7 +86,7 @@ def _explained(document: Report, tolerance: str) -> Iterator[str]:
         )
 
 
-def contacts_at(document: Report) -> str:
+def contacts_at(document: "Report") -> str:
     """Which ball and which operating point the contacts belong to."""
     if document.solved is None:
         return "Races: the heaviest ball of all operating points."
@@ -208,7 +211,7 @@ def subsurface_table(below: SubsurfaceComparison, units: Units = METRIC) -> Tabl
     return table_of("Greatest stress under the centre, in the lower body", heads, rows)
 
 
-def series_sections(series: LoadSeries, units: Units = METRIC) -> list[Section]:
+def series_sections(series: "LoadSeries", units: Units = METRIC) -> list[Section]:
     """Each load with approach and tangent stiffness; the law through all of them."""
     small, tangent = units.small_length, units.tangent
     names = (f"load, {units.force.name}", f"Hertz, {small.name}", f"FE, {small.name}", OFF, "+-")
@@ -232,7 +235,7 @@ def series_sections(series: LoadSeries, units: Units = METRIC) -> list[Section]:
     return [Section("", [table, Text(f"{verdict}: tolerance {percent_of(series.tolerance)}")])]
 
 
-def _law(series: LoadSeries) -> Iterator[str]:
+def _law(series: "LoadSeries") -> Iterator[str]:
     law = series.law
     if law is None:
         return
@@ -249,7 +252,7 @@ def _law(series: LoadSeries) -> Iterator[str]:
         yield from _sheet_law(series.pocket_law, largest=max(point.load for point in series.points))
 
 
-def _sheet_law(law: PocketLaw, *, largest: float) -> Iterator[str]:
+def _sheet_law(law: "PocketLaw", *, largest: float) -> Iterator[str]:
     """The law of the sheet of a pocket, and the keys of a scene that take it; largest : load of the series, N."""
     local, sheet = STIFFNESS.written(law.stiffness, ".5g"), TANGENT.written(law.sheet, ".5g")
     if law.stiffness_uncertainty is not None:
@@ -262,7 +265,7 @@ def _sheet_law(law: PocketLaw, *, largest: float) -> Iterator[str]:
     yield f'cage.sheet_stiffness = "{TANGENT.written(law.sheet, ".4g")}"'
 
 
-def _series_notes(series: LoadSeries) -> Iterator[str]:
+def _series_notes(series: "LoadSeries") -> Iterator[str]:
     yield f"F: load; delta: approach; tangent: dF/d(delta), from a fit to all loads. {UNCERTAIN}."
     meshes = "mesh" if series.meshes == 1 else "meshes"
     yield f"Finite elements, {series.geometry}, {series.meshes} {meshes} for all loads, {series.seconds:.1f} s"
@@ -323,7 +326,7 @@ def shoulder_lines(contact: "ContactNumbers", units: Units = METRIC) -> list[str
     ]
 
 
-def comparisons_of(document: Report) -> list[str]:
+def comparisons_of(document: "Report") -> list[str]:
     """What is resolved of Hertz's errors, a sentence for each contact and answer."""
     judged = [contact for contact in document.contacts if contact.judged]
     return [f"{contact_place(contact)}: {line}" for contact in judged for line in _resolved(contact)]
