@@ -11,12 +11,14 @@ the half clearance. `whirl`: it circles at a distance that is steady within a te
 is `irregular`.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
+from scipy.special import bdtr, stdtrit
 
 from analytic.cage.raceways import Raceways
 from analytic.cage.steady import DrivenCage, whirl_number
@@ -190,15 +192,15 @@ def _of_mean(values: np.ndarray) -> tuple[float, float]:
     """Interval of the mean of independent values, by Student's t."""
     if np.ptp(values) <= 1e-12 * np.abs(values).max():  # equal values but for round-off
         return float(values.min()), float(values.max())
-    from scipy.stats import ttest_1samp  # half a second to import, and few scenes need it
-
-    interval = ttest_1samp(values, 0.0).confidence_interval(CONFIDENCE)
-    return float(interval.low), float(interval.high)
+    half = stdtrit(values.size - 1, (1 + CONFIDENCE) / 2) * values.std(ddof=1) / math.sqrt(values.size)
+    return float(values.mean() - half), float(values.mean() + half)
 
 
 def _of_median(values: np.ndarray) -> tuple[float, float]:
-    """Interval of the median between order statistics, for any distribution."""
-    from scipy.stats import quantile_test
-
-    interval = quantile_test(values, p=0.5).confidence_interval(CONFIDENCE)
-    return float(interval.low), float(interval.high)
+    """Interval of the median between order statistics, for any distribution; NaN for less than six values."""
+    below = bdtr(np.arange(values.size), values.size, 0.5)  # probability that so many or fewer lie below the median
+    outside = int(np.sum(below <= (1 - CONFIDENCE) / 2))
+    if not outside:
+        return math.nan, math.nan
+    ordered = np.sort(values)
+    return float(ordered[outside - 1]), float(ordered[-outside])

@@ -24,6 +24,7 @@ from fembearing.check.contact.solution import ContactSolution
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
+ROUND_OFF = 1e-12  # rad, or of the torque by the races
 OF_RACES = ("race", "spin", "conformity", "hysteresis", "rolling")
 FITTED = "Production takes Hertz's contacts with the fit for finite geometry: the change is the error of that fit."
 NOT_FITTED = (
@@ -117,26 +118,30 @@ def change_of_torque(
     """
     races = replace(scene, effects={**scene.effects, **CAGE_OFF})
 
-    def corrected(*, up_inner: str = "", up_outer: str = "") -> FrictionTorque:
+    def corrected(scene: Scene, *, up_inner: str = "", up_outer: str = "") -> FrictionTorque:
         """With the contacts of finite elements, and one factor of either race moved up by its uncertainty."""
         both = ContactCorrection(inner=factors(inner, up=up_inner), outer=factors(outer, up=up_outer))
-        return friction_torque(races, correction=both)
+        return friction_torque(scene, correction=both)
 
-    own, found = friction_torque(races), corrected()
+    own, found = friction_torque(races), corrected(races)
     solved = int(np.argmax(own.ball_load))
+    others = float(production.torque.total[solved] - own.torque.race[solved])  # parts that no contact changes, N m
+    there = replace(races, operation=races.operation.as_series().at(np.array([solved])))
 
-    def outcome(torque: FrictionTorque) -> dict[str, float]:
+    def outcome(**up: str) -> dict[str, float]:
         """What depends on the contacts, at the point that was solved: N m, and the angle in rad."""
+        torque = corrected(there, **up)
         parts = {name: getattr(torque.torque, name) for name in OF_RACES}
-        parts |= {"total": _total(production, own, torque), "contact_angle": torque.contact_angle}
-        return {name: float(part[solved]) for name, part in parts.items() if part is not None}
+        parts |= {"total": others + torque.torque.race, "contact_angle": torque.contact_angle}
+        return {name: float(part[0]) for name, part in parts.items() if part is not None}
 
-    expected = outcome(found)
+    expected = outcome()
     spread = dict.fromkeys(expected, 0.0)
     for name in FACTORS:  # one input at a time, moved by its whole uncertainty; added: they may hang together
-        for moved in (corrected(up_inner=name), corrected(up_outer=name)):
-            for part, value in outcome(moved).items():
-                if value != expected[part]:  # a part that is 0 either way is sure
+        for moved in (outcome(up_inner=name), outcome(up_outer=name)):
+            for part, value in moved.items():
+                least = ROUND_OFF * (1.0 if part == "contact_angle" else abs(expected["race"]))
+                if abs(value - expected[part]) > least:  # a part that is 0 either way is sure
                     spread[part] += abs(value / expected[part] - 1)
     return TorqueChange(
         production=production,
