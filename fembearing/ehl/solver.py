@@ -312,15 +312,14 @@ class Discretised:
         least = self.contact.oil.cavitation_pressure / self.contact.peak_pressure
         areas, half_load = self.grid.areas.ravel(), np.pi / 3 * self.contact.semi_axes[1] / self.contact.semi_axes[0]
         pressure, approach = np.maximum(start.pressure.ravel(), least), start.approach
-        solver = _Linear(self.elastic)
+        solver = _Linear(self.elastic, areas)
         film = approach + self.gap + self.elastic @ pressure
         for _ in range(STEPS):
             now = self.balanced(pressure, np.maximum(film, 1e-2 * self.film_scale), speed)
             diagonal = now.by_pressure.diagonal() + now.by_film.diagonal() * self.elastic.diagonal()
             held = pressure - least < now.excess / np.abs(diagonal)
             fixed = np.where(held, least - pressure, 0.0)
-            missing = half_load - float(areas @ (pressure + fixed))
-            step, lift = solver.step(now, held, fixed, areas, missing)
+            step, lift = solver.step(now, held, fixed, half_load - float(areas @ pressure))
             change = self.elastic @ step + lift
             if not np.isfinite(change).all():
                 return None
@@ -348,73 +347,57 @@ class Discretised:
 
 
 class _Linear:
-    """Newton's linear systems on one grid: the first is factorised, and later ones are solved with its help."""
+    """Newton's linear systems on one grid, by GMRES with the factors of an earlier one; matrices in single precision.
 
-    def __init__(self, elastic: Array) -> None:
-        self.elastic = elastic
-        self.factors: tuple[Array, NDArray[np.int32]] | None = None
-        self.known = np.zeros(0, dtype=np.intp)  # cells of the factorised system
+    The unknowns are the step of pressure in each cell and that of the approach.
+    """
 
-    def step(
-        self, now: Balance, held: NDArray[np.bool_], fixed: Array, areas: Array, missing: float
-    ) -> tuple[Array, float]:
+    def __init__(self, elastic: Array, areas: Array) -> None:
+        self.elastic, self.areas = elastic.astype(np.float32), areas
+        self.factors: tuple[NDArray[np.float32], NDArray[np.int32]] | None = None
+        self.known = np.zeros(0, dtype=np.intp)  # unknowns of the factorised system
+
+    def step(self, now: Balance, held: NDArray[np.bool_], fixed: Array, missing: float) -> tuple[Array, float]:
         """The step of pressure, (n,), and that of the approach.
 
-        held : cells that take the step `fixed`;  missing : load on the half domain beside that step
+        held : cells that take the step `fixed`;  missing : load on the half domain
         """
-        free = np.flatnonzero(~held)
-        wanted = -now.excess
-        if fixed.any():
-            wanted = wanted - now.by_pressure @ fixed - now.by_film @ (self.elastic @ fixed)
-        pushed = np.asarray(now.by_film.sum(axis=1)).ravel()
-        right = np.append(wanted[free], missing)
-        found = self._by_known_factors(now, free, pushed, areas, right)
-        if found is None:
-            matrix = np.empty((free.size + 1, free.size + 1), order="F")
-            matrix[:-1, :-1] = now.by_film[free] @ self.elastic[:, free]
-            coordinates = now.by_pressure[free][:, free].tocoo()
-            matrix[coordinates.coords] += coordinates.data
-            matrix[:-1, -1], matrix[-1, :-1], matrix[-1, -1] = pushed[free], areas[free], 0.0
-            self.factors, self.known = lu_factor(matrix, overwrite_a=True, check_finite=False), free
-            found = lu_solve(self.factors, right, check_finite=False)
-        step = fixed.copy()
-        step[free] = found[:-1]
-        return step, float(found[-1])
-
-    def _by_known_factors(
-        self, now: Balance, free: NDArray[np.intp], pushed: Array, areas: Array, right: Array
-    ) -> Array | None:
-        """GMRES on all free cells, preconditioned by the last factorisation; None where that is of no use."""
-        if self.factors is None:
-            return None
-        factors, known = self.factors, self.known
-        scale = 1 / np.maximum(np.abs(now.by_pressure.diagonal()), 1e-300)
-        full = np.zeros(self.elastic.shape[0])
+        scale = np.append(np.where(held, 1.0, now.by_pressure.diagonal()), 1.0)
 
         def product(vector: Array) -> Array:
-            full[:] = 0.0
-            full[free] = vector[:-1]
-            out = now.by_pressure @ full + now.by_film @ (self.elastic @ full) + pushed * vector[-1]
-            return np.append(out[free], areas @ full)
+            step = vector[:-1]
+            leaving = now.by_pressure @ step + now.by_film @ (self.elastic @ step.astype(np.float32) + vector[-1])
+            return np.append(np.where(held, step, leaving), self.areas @ step)
 
         def likely(vector: Array) -> Array:
-            full[:] = 0.0
-            full[free] = vector[:-1]
-            inner = lu_solve(factors, np.append(full[known], vector[-1]), check_finite=False)
-            scaled = full * scale
-            scaled[known] = inner[:-1]
-            return np.append(scaled[free], inner[-1])
+            found = vector / scale
+            found[self.known] = lu_solve(self.factors, vector[self.known].astype(np.float32), check_finite=False)
+            found[:-1][held] = vector[:-1][held]
+            return found
 
-        size = (right.size, right.size)
-        found, status = gmres(
-            LinearOperator(size, matvec=product, dtype=np.float64),
-            right,
-            M=LinearOperator(size, matvec=likely, dtype=np.float64),
-            rtol=INNER,
-            restart=MOST_INNER,
-            maxiter=1,
-        )
-        return found if status == 0 else None
+        def solved() -> tuple[Array, int]:
+            # The factors stand on the right, so that the residual of the system itself is small.
+            operator = LinearOperator((rest.size, rest.size), matvec=lambda vector: product(likely(vector)), dtype=float)
+            return gmres(operator, rest, rtol=INNER, restart=MOST_INNER, maxiter=1)
+
+        start = np.append(fixed, 0.0)
+        rest = np.append(np.where(held, fixed, -now.excess), missing) - product(start)
+        found, failed = solved() if self.factors else (rest, 1)
+        if failed:
+            self._factorise(now, np.flatnonzero(~held))
+            found, _ = solved()
+        step = start + likely(found)
+        return step[:-1], float(step[-1])
+
+    def _factorise(self, now: Balance, free: NDArray[np.intp]) -> None:
+        matrix = np.empty((free.size + 1, free.size + 1), dtype=np.float32, order="F")
+        by_film = now.by_film[free]
+        matrix[:-1, :-1] = by_film.astype(np.float32) @ self.elastic[:, free]
+        coordinates = now.by_pressure[free][:, free].tocoo()
+        matrix[coordinates.coords] += coordinates.data
+        matrix[:-1, -1], matrix[-1, :-1], matrix[-1, -1] = by_film.sum(axis=1), self.areas[free], 0.0
+        self.factors = lu_factor(matrix, overwrite_a=True, check_finite=False)
+        self.known = np.append(free, now.excess.size)
 
 
 def _within(places: list[float], sizes: list[float], start: float, end: float) -> tuple[list[float], list[float]]:
