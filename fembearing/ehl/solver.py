@@ -8,6 +8,7 @@ semi-axis a, pressures in his p0 and films in a^2/R_x.
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import count
 from typing import NamedTuple
 
 import numpy as np
@@ -20,7 +21,7 @@ from analytic.errors import ConvergenceError, FembearingError, InputError
 from analytic.scene import Array
 from fembearing.ehl.contact import LubricatedContact
 from fembearing.ehl.elastic import half_space_integrals
-from fembearing.ehl.grid import Grid, cell_count, graded_faces
+from fembearing.ehl.grid import Grid, graded_faces, usual_cells
 from fembearing.ehl.reynolds import Balance, Fluid, balance
 
 # Cells at refinement 1, in units of the contact's half lengths; smaller at the inlet and outlet where the film is thin
@@ -28,18 +29,19 @@ INLET, MIDDLE, EDGE, ACROSS = 0.5, 1.5, 0.06, 0.1  # the first is a share of the
 GROWTH = 0.18  # of the size of cells over the distance outside
 WIDEST_INLET = 0.35  # of the half length
 CUT = 2.5  # half lengths behind the centre where cavitated oil is left out
-LAST, ROUGH = 1e-6, 1e-2  # largest step of pressure over the largest pressure: of a solution, and on the way to it
+LAST, ROUGH = 1e-4, 1e-2  # largest step of pressure over the largest pressure: of a solution, and on the way to it
 STEPS = 30  # of Newton's method; 4 to 8 are usual
 LEAST_GAP = 0.2  # share of the film that a step leaves
 EASY = 20.0  # M of the contact at which a solution starts
-COARSER = 1.6  # the grid before the first
+RATIO = 1.5  # of the cells of two grids
+WHOLE = 4  # divides the number of cells along each direction of the first grid: the next two have exactly the ratio
 EASIER, LEAST_EASIER = (
     4.0,
     1.1,
 )  # factor on the speed between two steps towards the contact, and the least that is tried
 INNER = 1e-3  # residual of the linear system where an older factorisation solves it
 MOST_INNER = 25  # steps for that, after which a new factorisation is cheaper
-MOST_CELLS = 10_000  # of a grid: matrices are full, with up to 32 bytes for each pair of cells, 3 GB
+MOST_CELLS = 10_000  # of a grid: matrices are full, with up to 24 bytes for each pair of cells, 2.4 GB
 
 
 class NoFilmError(ConvergenceError):
@@ -110,17 +112,20 @@ class Solution:
         return -float((force * self.grid.x[:, None]).sum() / force.sum())
 
 
-def solve_on_grids(contact: LubricatedContact, refinements: tuple[float, ...]) -> Iterator[Solution]:
-    """The solution on each grid, coarse to fine.
+def solve_on_grids(contact: LubricatedContact, refinement: float) -> Iterator[Solution]:
+    """The solution on each grid, coarse to fine, as far as the memory goes.
 
+    refinement : of the first grid
     The first start is an easy contact, at a higher speed and of thinner oil under pressure, on a coarser grid still.
     Raises ConvergenceError, which names the regime, where Newton's method does not settle.
     """
-    first = Discretised(contact=contact, refinement=refinements[0] / COARSER)
+    first = Discretised(contact=contact, refinement=refinement, level=-1)
     factor = max((contact.loading / EASY) ** (4 / 3), 1.0)
     path = first.path([(factor, first.first_guess(factor))], last=ROUGH)
-    for refinement in refinements:
-        place = Discretised(contact=contact, refinement=refinement)
+    for level in count():
+        place = Discretised(contact=contact, refinement=refinement, level=level)
+        if place.cell_count > MOST_CELLS:
+            return
         path = place.path([(speed, place.carried(start)) for speed, start in path], last=LAST)
         speed, start = path[-1]
         if speed > 1.0:
@@ -135,11 +140,11 @@ def regime_words(contact: LubricatedContact) -> str:
 
 def require_few_cells(contact: LubricatedContact, refinement: float) -> None:
     """Raise InputError where a film is so thin that a grid of this refinement has more than `MOST_CELLS`."""
-    count = Discretised(contact=contact, refinement=refinement).cell_count
-    if count > MOST_CELLS:
+    cells = Discretised(contact=contact, refinement=refinement).cell_count
+    if cells > MOST_CELLS:
         raise InputError(
             f"the film of {regime_words(contact)} is too thin against its contact for the numerical solution, which "
-            f"would take {count:.3g} cells, above {MOST_CELLS:g}: give more speed or less load"
+            f"would take {cells:.3g} cells, above {MOST_CELLS:g}: give more speed or less load"
         )
 
 
@@ -148,7 +153,8 @@ class Discretised:
     """A contact on one grid, in scaled units."""
 
     contact: LubricatedContact
-    refinement: float
+    refinement: float  # of the first grid
+    level: int = 0  # finer by so many ratios
 
     @cached_property
     def likely_film(self) -> float:
@@ -174,14 +180,22 @@ class Discretised:
     @cached_property
     def grid(self) -> Grid:
         """In semi-axes a."""
-        (x, y), (long, wide), n = self._places, self.half_lengths, self.refinement
-        return Grid(x_faces=graded_faces(*x, refinement=n) * long, y_faces=graded_faces(*y, refinement=n) * wide)
+        (x, y), (long, wide) = self._places, self.half_lengths
+        nx, ny = (number / usual_cells(*each) for number, each in zip(self._counts, self._places, strict=True))
+        return Grid(x_faces=graded_faces(*x, refinement=nx) * long, y_faces=graded_faces(*y, refinement=ny) * wide)
 
     @property
     def cell_count(self) -> int:
         """Of the grid, without making it."""
-        columns, rows = (cell_count(*each, refinement=self.refinement) for each in self._places)
+        columns, rows = self._counts
         return columns * rows
+
+    @property
+    def _counts(self) -> tuple[int, int]:
+        """Columns and rows."""
+        first = (max(round(self.refinement * usual_cells(*each) / WHOLE), 1) * WHOLE for each in self._places)
+        columns, rows = (round(each * RATIO**self.level) for each in first)
+        return columns, rows
 
     @property
     def _places(self) -> tuple[tuple[list[float], list[float]], tuple[list[float], list[float]]]:
@@ -377,7 +391,7 @@ class _Linear:
 
         def solved() -> tuple[Array, int]:
             # The factors stand on the right, so that the residual of the system itself is small.
-            operator = LinearOperator((rest.size, rest.size), matvec=lambda vector: product(likely(vector)), dtype=float)
+            operator = LinearOperator((rest.size, rest.size), lambda vector: product(likely(vector)), dtype=float)
             return gmres(operator, rest, rtol=INNER, restart=MOST_INNER, maxiter=1)
 
         start = np.append(fixed, 0.0)

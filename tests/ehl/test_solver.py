@@ -100,7 +100,7 @@ def test_no_film_is_an_error_with_the_speed_that_was_reached(tried: Any) -> None
     with pytest.raises(
         NoFilmError, match=r"M 200, L 5, lambda 1 does not converge below 2\.\d+ times its speed"
     ) as stop:
-        list(solve_on_grids(moes(200.0, 5.0), (0.2,)))
+        list(solve_on_grids(moes(200.0, 5.0), 0.2))
     assert 2 <= stop.value.residual < 2.4
     assert str(stop.value).endswith("give more speed or less load")
 

@@ -5,7 +5,7 @@ sides have the same oil, the same load and the same speed, without heat of the i
 The ball turns by closed kinematics, and the oil has the temperature of the scene.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -15,7 +15,7 @@ import numpy as np
 from analytic.brief import Brief
 from analytic.contact.geometry import Race
 from analytic.contact.rolling_contact import ContactNumbers, deformed_radius
-from analytic.errors import ConvergenceError, InputError, require_packages
+from analytic.errors import InputError, require_packages
 from analytic.oil.ehl_fit import Regime, film_correction, regime_of
 from analytic.oil.film import FILM_FACTORS, Inflow, central_film, minimum_ratio
 from analytic.oil.inlets import oil_supply
@@ -33,14 +33,12 @@ from fembearing.check.contact.compliance import Compliance, meshed_pair
 from fembearing.check.contact.scene_contact import OfPair, balls_of, contact_at, heaviest_place
 from fembearing.ehl.ball_on_race import lubricated_contact
 from fembearing.ehl.contact import LubricatedContact, Reach
-from fembearing.ehl.film import RATIO, NumericalFilm, numerical_film
+from fembearing.ehl.film import NumericalFilm, numerical_films
 from fembearing.ehl.oil import Oil
-from fembearing.ehl.solver import require_few_cells
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-REFINEMENTS = (0.75, 0.95, 1.2)  # of the middle grid, until the tolerance is reached
 OUTSIDE = "the formula of the rolling force is outside its range: rigid bodies would resist less than elastic ones"
 JUDGED = ("central_film", "rolling_force")  # must reach the tolerance; the minimum lies beside the contact's edge
 
@@ -142,7 +140,7 @@ class FilmNumbers:
     dissipated_force: float  # the force from the viscous dissipation, N: a check
     verdict: ShownVerdict  # whether film and force are within the stated errors of the formulas
     tolerance: float  # asked of central film and rolling force, relative
-    seconds: float  # of the solution on its three grids
+    seconds: float  # of the solution on its grids
     warnings: tuple[str, ...]
     compliance: Compliance = "half-space"  # of the numerical solution
     bearing: OfPair | None = None  # of a pair
@@ -205,10 +203,14 @@ def film_of(
         progress(0.0, f"{pair}: compliance of ball and race")
         problem = replace(problem, added=meshed_pair(closed.contact))
     limit = scene.tolerance if tolerance is None else tolerance
-    solution = _accurate(
-        problem, tolerance=limit, progress=lambda share: progress(share, f"{pair}: film on three grids")
-    )
-    found = compare_film(closed, solution, tolerance=limit)
+    progress(0.0, f"{pair}: film on three grids")
+    found: RaceFilm | None = None
+    for solution in numerical_films(problem):
+        found = compare_film(closed, solution, tolerance=limit)
+        if found.numbers.worst[1] <= limit:
+            break
+        progress(0.2, f"{pair}: film on a finer grid")
+    assert found is not None
     return replace(found, numbers=replace(found.numbers, compliance=compliance))
 
 
@@ -235,28 +237,6 @@ def _judged(found: Comparison, factors: tuple[float, float]) -> Comparison:
     least, most = factors
     inside, outside = least <= low and high <= most, high < least or most < low
     return replace(found, verdict="pass" if inside else "fail" if outside else "undecided")
-
-
-def _accurate(problem: LubricatedContact, *, tolerance: float, progress: Callable[[float], None]) -> NumericalFilm:
-    """The solution on the coarsest grids that reach the tolerance, or on the finest that converge in this memory."""
-    best: NumericalFilm | None = None
-    for number, refinement in enumerate(REFINEMENTS):
-        progress(number / len(REFINEMENTS))
-        try:
-            require_few_cells(problem, refinement * RATIO)
-            best = numerical_film(problem, refinement=refinement)
-        except InputError:  # too many cells, on each finer grid too
-            if best is None:
-                raise
-            return best
-        except ConvergenceError:  # another grid may converge; the finest one says why none does
-            if best is None and refinement == REFINEMENTS[-1]:
-                raise
-            continue
-        if all(getattr(best, name).total <= tolerance for name in JUDGED):
-            break
-    assert best is not None
-    return best
 
 
 def problem_of(scene: Scene, pair: Race, *, load: float | None = None, inner_speed: float | None = None) -> ClosedForms:
