@@ -7,11 +7,10 @@ import numpy as np
 
 from analytic.scene import Array
 
-NEAR = 1e-150  # any unit: distances below it count as it, without division by 0
 
 def _corner(x: Array, y: Array) -> Array:
     """The integral of 1/r from the origin to (x, y)."""
-    u, v = np.maximum(np.abs(x), NEAR), np.maximum(np.abs(y), NEAR)
+    u, v = np.maximum(np.abs(x), 1e-150), np.maximum(np.abs(y), 1e-150)  # without division by 0
     far = np.sqrt(u**2 + v**2)
     return x * np.sign(y) * np.log((v + far) / u) + y * np.sign(x) * np.log((u + far) / v)
 

@@ -94,13 +94,10 @@ def estimates_of(solutions: Sequence[Solution]) -> dict[str, Estimate]:
         name: extrapolation(tuple(getattr(each, name) for each in solutions), sizes, least=least)
         for name in ("minimum_film", "rolling_force", "dissipated_force", "pressure_centre")
     }
-    return {"central_film": film, **others, "minimum_film": _with_all_changes(others["minimum_film"])}
-
-
-def _with_all_changes(found: Estimate) -> Estimate:
-    """Uncertain by the largest change between two grids at least: the least film of a cell moves with the cells."""
-    change = float(np.abs(np.diff(found.values)).max()) / abs(found.value)
-    return replace(found, mesh=max(found.mesh, change))
+    low = others["minimum_film"]
+    # The place of the least film moves with the cells, and its last change may be small by chance.
+    change = abs(low.values[1] - low.values[0]) / RATIO / abs(low.value)
+    return {"central_film": film, **others, "minimum_film": replace(low, mesh=max(low.mesh, change))}
 
 
 def extrapolation(values: tuple[float, ...], sizes: tuple[float, ...], *, least: float = LEAST) -> Estimate:

@@ -127,19 +127,19 @@ def balance(fluid: Fluid, *, grid: Grid, gap: tuple[Array, Array, Array], epsilo
     on_faces = wedge @ root
     width = np.tile(grid.widths_y, columns + 1)
     carried = (on_faces**2 * width).reshape(columns + 1, rows)
-    ends = [grid.x_faces[[0]], grid.x, grid.x_faces[[-1]]], [[-grid.y[0]], grid.y, grid.y_faces[[-1]]]
+    ends = [grid.x_faces[[0]], grid.x, grid.x_faces[[-1]]], [grid.y, grid.y_faces[[-1]]]
     steps = [np.diff(np.concatenate(each)) for each in ends]
     along = _flow(
         *_along(fluid, gap[0][None], gap[1][None]), width=grid.widths_y, distance=steps[0][:, None], epsilon=epsilon
     )
     turned = Fluid(*(field.T for field in fluid))
+    sides = _along(turned, np.zeros((1, columns)), gap[2][None])
     across = _flow(
-        *_along(turned, np.zeros((1, columns)), gap[2][None]),
+        *(Fluid(*(field[1:] for field in side)) for side in sides),  # nothing flows through the line of symmetry
         width=grid.widths_x,
         distance=steps[1][:, None],
         epsilon=epsilon,
     )
-    across = _without_first(across)
     through, aside = carried + along.mass, across.mass
     excess = np.diff(through, axis=0)
     excess += np.diff(np.concatenate([np.zeros((1, columns)), aside]), axis=0).T
@@ -162,16 +162,6 @@ def balance(fluid: Fluid, *, grid: Grid, gap: tuple[Array, Array, Array], epsilo
         dissipation=float(along.dissipation.sum() + across.dissipation.sum()),
         through=through.sum(axis=1),
         aside=aside[-1],
-    )
-
-
-def _without_first(flow: Flow) -> Flow:
-    """Without the faces on the line of symmetry, through which nothing flows."""
-    return Flow(
-        mass=flow.mass[1:],
-        by_pressure=(flow.by_pressure[0][1:], flow.by_pressure[1][1:]),
-        by_film=(flow.by_film[0][1:], flow.by_film[1][1:]),
-        dissipation=flow.dissipation[1:],
     )
 
 

@@ -5,15 +5,16 @@ cavitation keeps it, and there the oil only has to leave. The load is one more e
 semi-axis a, pressures in his p0 and films in a^2/R_x.
 """
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import count
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline, PchipInterpolator
+from scipy.interpolate import PchipInterpolator, RectBivariateSpline
 from scipy.linalg import lu_factor, lu_solve
 from scipy.sparse.linalg import LinearOperator, gmres
 
@@ -35,12 +36,10 @@ LEAST_GAP = 0.2  # share of the film that a step leaves
 EASY = 20.0  # M of the contact at which a solution starts
 RATIO = 1.5  # of the cells of two grids
 WHOLE = 4  # divides the number of cells along each direction of the first grid: the next two have exactly the ratio
-EASIER, LEAST_EASIER = (
-    4.0,
-    1.1,
-)  # factor on the speed between two steps towards the contact, and the least that is tried
+EASIER, LEAST_EASIER = 4.0, 1.1  # factor on the speed between two steps towards the contact, and the least one tried
 INNER = 1e-3  # residual of the linear system where an older factorisation solves it
 MOST_INNER = 25  # steps for that, after which a new factorisation is cheaper
+AROUND = 81  # points of a spline of the film across three cells
 MOST_CELLS = 10_000  # of a grid: matrices are full, with up to 24 bytes for each pair of cells, 2.4 GB
 
 
@@ -78,19 +77,23 @@ class Solution:
     @property
     def central_film(self) -> float:
         """In the centre, m."""
-        return float(CubicSpline(self.grid.x, self._on_axis)(0.0))
-
-    @cached_property
-    def _on_axis(self) -> Array:
-        """(columns,) film at y = 0 by a parabola, even in y, through the two nearest rows, m."""
-        first, second = self.grid.y[:2] ** 2
-        return (second * self.film[:, 0] - first * self.film[:, 1]) / (second - first)
+        return self._film_at(0.0, 0.0).item()
 
     @property
     def minimum_film(self) -> float:
-        """The least film of a cell where the oil is not cavitated, m."""
+        """The least near the cell of least film where the oil is not cavitated, m."""
         oil = self.pressure > self.contact.oil.cavitation_pressure
-        return float(self.film[oil].min())
+        column, row = np.unravel_index(np.where(oil, self.film, np.inf).argmin(), oil.shape)
+        around = np.linspace(-1, 1, AROUND)
+        x = np.interp(column + around, np.arange(self.grid.x.size), self.grid.x)
+        y = np.interp(row + around, np.arange(-1, self.grid.y.size), np.append(-self.grid.y[0], self.grid.y))
+        return float(self._film_at(x, y).min())
+
+    @cached_property
+    def _film_at(self) -> RectBivariateSpline:
+        """The film, m, between cells, at x and at y, both ascending."""
+        film = np.concatenate([self.film[:, ::-1], self.film], axis=1)
+        return RectBivariateSpline(self.grid.x, np.concatenate([-self.grid.y[::-1], self.grid.y]), film)
 
     @property
     def rolling_force(self) -> float:
@@ -187,8 +190,7 @@ class Discretised:
     @property
     def cell_count(self) -> int:
         """Of the grid, without making it."""
-        columns, rows = self._counts
-        return columns * rows
+        return math.prod(self._counts)
 
     @property
     def _counts(self) -> tuple[int, int]:
@@ -389,13 +391,11 @@ class _Linear:
             found[:-1][held] = vector[:-1][held]
             return found
 
-        def solved() -> tuple[Array, int]:
-            # The factors stand on the right, so that the residual of the system itself is small.
-            operator = LinearOperator((rest.size, rest.size), lambda vector: product(likely(vector)), dtype=float)
-            return gmres(operator, rest, rtol=INNER, restart=MOST_INNER, maxiter=1)
-
         start = np.append(fixed, 0.0)
         rest = np.append(np.where(held, fixed, -now.excess), missing) - product(start)
+        # The factors stand on the right, so that the residual of the system itself is small.
+        operator = LinearOperator((rest.size, rest.size), lambda vector: product(likely(vector)), dtype=float)
+        solved = partial(gmres, operator, rest, rtol=INNER, restart=MOST_INNER, maxiter=1)
         found, failed = solved() if self.factors else (rest, 1)
         if failed:
             self._factorise(now, np.flatnonzero(~held))

@@ -143,7 +143,7 @@ def test_mass_is_conserved_across_every_column_with_pressure() -> None:
 
 def test_a_force_whose_errors_cancel_is_as_uncertain_as_its_film_tells() -> None:
     """On three grids of one contact the force hardly moves, although the film has an error of 6 % on the last one."""
-    films, forces, least = (0.786, 0.883, 0.940), (1.006, 1.0043, 0.9977), (0.77, 0.86, 0.91)
+    films, forces, least = (0.786, 0.883, 0.940), (1.006, 1.0043, 0.9977), (0.77, 0.86, 0.94)
     solutions: list[Any] = [
         SimpleNamespace(
             central_film=film, rolling_force=force, minimum_film=low, dissipated_force=force, pressure_centre=force
@@ -152,11 +152,21 @@ def test_a_force_whose_errors_cancel_is_as_uncertain_as_its_film_tells() -> None
     ]
     found = estimates_of(solutions)
     assert found["rolling_force"].total > 0.0082  # the change to two finer levels
-    assert found["minimum_film"].total >= 0.0899 / found["minimum_film"].value  # its largest change
     film = found["central_film"]
     least = LEAST + OF_FILM * abs(1 - films[-1] / film.value)
     assert found["rolling_force"].mesh == pytest.approx(least, rel=1e-9)
-    assert found["minimum_film"].mesh == pytest.approx(0.09 / found["minimum_film"].value, rel=1e-9)
+
+
+def test_the_least_film_is_as_uncertain_as_an_earlier_change() -> None:
+    """Its place moves with the cells, and so the last change may be small by chance."""
+    solutions: list[Any] = [
+        SimpleNamespace(
+            central_film=1.1, rolling_force=1.2, minimum_film=low, dissipated_force=1.3, pressure_centre=0.7
+        )
+        for low in (0.71, 0.86, 0.87)
+    ]
+    found = estimates_of(solutions)["minimum_film"]
+    assert found.mesh == pytest.approx(0.15 / 1.5 / found.value, rel=1e-9)
 
 
 def sequence(order: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
