@@ -18,8 +18,8 @@ LEAST_ORDER, MOST_ORDER = 1.0, 3.0  # to which an observed order is held
 SHARE = 0.5  # of the last correction that is uncertain even where the order is the formal one
 LEAST = 1e-3  # relative: an error common to all grids does not show in their differences
 # Share of the central film's last correction that every quantity is uncertain by: errors of two signs cancel in the
-# rolling force, and then its own correction is small by chance. The error was at most 0.23 of that correction in the
-# film and 0.17 in the force of validation/ehl/stated_uncertainty.py.
+# rolling force, and then its own correction is small by chance. The error of the force was at most 0.17 of it where
+# this was chosen; validation/ehl/stated_uncertainty.py tests it on other contacts.
 OF_FILM = 0.23
 
 

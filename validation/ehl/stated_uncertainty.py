@@ -42,7 +42,7 @@ def compared(task: tuple[int, tuple[float, float, float]]) -> Iterator[dict[str,
     yield row
 
 
-def main(count: int = 60) -> None:
+def main(count: int = 80) -> None:
     draws = {(str(number),): (number, draw) for number, draw in enumerate(fitted_draws(count, seed=SEED))}
     rows = [row for row in continued(TABLE, NAMES, draws, compared, form=".5g") if row["seconds"]]
     for name in QUANTITIES:
