@@ -10,10 +10,9 @@ from analytic.scene import Array
 
 def _corner(x: Array, y: Array) -> Array:
     """The integral of 1/r from the origin to (x, y)."""
-    u, v = np.broadcast_arrays(np.abs(x), np.abs(y))
-    value, inside = np.zeros(u.shape), (u > 0) & (v > 0)
-    value[inside] = u[inside] * np.arcsinh(v[inside] / u[inside]) + v[inside] * np.arcsinh(u[inside] / v[inside])
-    return np.sign(x) * np.sign(y) * value
+    u, v = np.maximum(np.abs(x), 1e-150), np.maximum(np.abs(y), 1e-150)  # without division by 0
+    far = np.sqrt(u**2 + v**2)
+    return x * np.sign(y) * np.log((v + far) / u) + y * np.sign(x) * np.log((u + far) / v)
 
 
 def half_space_integrals(x: Array, y: Array, x_faces: Array, y_faces: Array) -> Array:

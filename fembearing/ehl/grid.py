@@ -54,12 +54,13 @@ def graded_faces(places: Sequence[float], sizes: Sequence[float], *, refinement:
     """Limits of cells from the first to the last place, whose size is linear between places, divided by refinement.
 
     places : ascending;  sizes : of the cells there at refinement 1, positive
-    The number of cells is that of the sizes, rounded. All sizes of grids of different refinement have one ratio.
+    The number of cells is that of the sizes, rounded, at least 4. All sizes of grids of different refinement have one
+    ratio.
     """
     x, size = np.asarray(places, dtype=float), np.asarray(sizes, dtype=float)
     step, (before, slope) = np.diff(x), _counted(places, sizes)
     level, safe = slope == 0.0, np.where(slope == 0.0, 1.0, slope)
-    number = np.linspace(0.0, before[-1], cell_count(places, sizes, refinement=refinement) + 1)
+    number = np.linspace(0.0, before[-1], max(round(refinement * float(before[-1])), FEWEST) + 1)
     piece = np.clip(np.searchsorted(before, number, side="right") - 1, 0, step.size - 1)
     along = number - before[piece]
     growing = size[piece] * np.expm1(slope[piece] * along) / safe[piece]
@@ -68,9 +69,9 @@ def graded_faces(places: Sequence[float], sizes: Sequence[float], *, refinement:
     return faces
 
 
-def cell_count(places: Sequence[float], sizes: Sequence[float], *, refinement: float) -> int:
-    """Number of the cells between the limits that `graded_faces` gives for the same arguments; at least 4."""
-    return max(round(refinement * float(_counted(places, sizes)[0][-1])), FEWEST)
+def usual_cells(places: Sequence[float], sizes: Sequence[float]) -> float:
+    """Number of the cells that `graded_faces` gives at refinement 1, before it is rounded."""
+    return float(_counted(places, sizes)[0][-1])
 
 
 def _counted(places: Sequence[float], sizes: Sequence[float]) -> tuple[Array, Array]:

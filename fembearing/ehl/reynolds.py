@@ -64,19 +64,14 @@ def logarithmic_mean(left: Array, right: Array) -> tuple[Array, Array, Array]:
     return mean, by_left, by_right
 
 
-def wedge_operator(grid: Grid) -> csr_array:
-    """((columns + 1) rows, n): values on the faces across x from those in the cells upstream.
+def upstream(grid: Grid) -> tuple[NDArray[np.intp], Array]:
+    """(2, columns + 1) columns of cells, and their shares in the value on each face across x.
 
     A face takes the straight line through the two cells upstream of it; the first two take that through the first two.
     """
-    columns, rows = grid.shape
-    face = np.arange(columns + 1)
-    near = np.clip(face - 1, 1, columns - 1)
+    near = np.clip(np.arange(-1, grid.x.size), 1, None)
     share = (grid.x_faces - grid.x[near - 1]) / (grid.x[near] - grid.x[near - 1])
-    cells = np.stack([near, near - 1])[:, :, None] * rows + np.arange(rows)
-    entries = np.broadcast_to(np.stack([share, 1 - share])[:, :, None], cells.shape)
-    faces = np.broadcast_to(face[:, None] * rows + np.arange(rows), cells.shape)
-    return csr_array((entries.ravel(), (faces.ravel(), cells.ravel())), shape=((columns + 1) * rows, columns * rows))
+    return np.stack([near, near - 1]), np.stack([share, 1 - share])
 
 
 def _flow(lower: Fluid, upper: Fluid, *, width: Array, distance: Array, epsilon: float) -> Flow:
@@ -122,75 +117,61 @@ def balance(fluid: Fluid, *, grid: Grid, gap: tuple[Array, Array, Array], epsilo
     columns, rows = grid.shape
     count = columns * rows
     number = np.arange(count).reshape(columns, rows)
-    wedge = wedge_operator(grid)
-    root = np.sqrt(fluid.density * fluid.film).ravel()
-    on_faces = wedge @ root
-    width = np.tile(grid.widths_y, columns + 1)
-    carried = (on_faces**2 * width).reshape(columns + 1, rows)
-    ends = [grid.x_faces[[0]], grid.x, grid.x_faces[[-1]]], [[-grid.y[0]], grid.y, grid.y_faces[[-1]]]
+    cells, shares = upstream(grid)
+    root = np.sqrt(fluid.density * fluid.film)
+    on_faces = (root[cells] * shares[:, :, None]).sum(axis=0)
+    carried = on_faces**2 * grid.widths_y
+    ends = [grid.x_faces[[0]], grid.x, grid.x_faces[[-1]]], [grid.y, grid.y_faces[[-1]]]
     steps = [np.diff(np.concatenate(each)) for each in ends]
     along = _flow(
         *_along(fluid, gap[0][None], gap[1][None]), width=grid.widths_y, distance=steps[0][:, None], epsilon=epsilon
     )
     turned = Fluid(*(field.T for field in fluid))
+    sides = _along(turned, np.zeros((1, columns)), gap[2][None])
     across = _flow(
-        *_along(turned, np.zeros((1, columns)), gap[2][None]),
+        *(Fluid(*(field[1:] for field in side)) for side in sides),  # nothing flows through the line of symmetry
         width=grid.widths_x,
         distance=steps[1][:, None],
         epsilon=epsilon,
     )
-    across = _without_first(across)
     through, aside = carried + along.mass, across.mass
     excess = np.diff(through, axis=0)
     excess += np.diff(np.concatenate([np.zeros((1, columns)), aside]), axis=0).T
-    leaving = _difference(columns, rows) @ (wedge * (on_faces * width)[:, None])
-    slopes_p = leaving * ((fluid.stiffening * fluid.film).ravel() / root)
-    slopes_h = leaving * (fluid.density.ravel() / root)
-    nothing = np.full((1, columns), -1)
-    first, last = np.full((1, rows), -1), np.full((1, rows), -1)
-    of_x = np.concatenate([first, number, last])
-    of_y = np.concatenate([number.T, nothing])
-    films_x = np.concatenate([number[:1], number, number[-1:]])
-    films_y = np.concatenate([number.T, number.T[-1:]])
-    for flow, cells, films in ((along, of_x, films_x), (across, of_y, films_y)):
-        slopes_p = slopes_p + _slope(flow.by_pressure, cells, cells, count)
-        slopes_h = slopes_h + _slope(flow.by_film, cells, films, count)
+    nothing, beside_y = np.full((1, rows), -1), np.concatenate([number.T, np.full((1, columns), -1)])
+    beside_x = np.concatenate([nothing, number, nothing])
+    held_x, held_y = np.concatenate([number[:1], number, number[-1:]]), np.concatenate([number.T, number.T[-1:]])
+    by_root = on_faces * grid.widths_y * shares[:, :, None]  # half of the slope of what the surfaces carry
+    slopes = []
+    for twice, (by_x, by_y), (of_x, of_y) in (
+        (fluid.stiffening * fluid.film / root, (along.by_pressure, across.by_pressure), (beside_x, beside_y)),
+        (fluid.density / root, (along.by_film, across.by_film), (held_x, held_y)),
+    ):
+        parts = [
+            (by_root * twice[cells], beside_x, number[cells]),
+            (np.stack(by_x), beside_x, np.stack([of_x[:-1], of_x[1:]])),
+            (np.stack(by_y), beside_y, np.stack([of_y[:-1], of_y[1:]])),
+        ]
+        slopes.append(_leaving(parts, count))
     return Balance(
         excess=excess.ravel(),
-        by_pressure=csr_array(slopes_p),
-        by_film=csr_array(slopes_h),
+        by_pressure=slopes[0],
+        by_film=slopes[1],
         dissipation=float(along.dissipation.sum() + across.dissipation.sum()),
         through=through.sum(axis=1),
         aside=aside[-1],
     )
 
 
-def _without_first(flow: Flow) -> Flow:
-    """Without the faces on the line of symmetry, through which nothing flows."""
-    return Flow(
-        mass=flow.mass[1:],
-        by_pressure=(flow.by_pressure[0][1:], flow.by_pressure[1][1:]),
-        by_film=(flow.by_film[0][1:], flow.by_film[1][1:]),
-        dissipation=flow.dissipation[1:],
-    )
+def _leaving(parts: list[tuple[Array, NDArray[np.intp], NDArray[np.intp]]], count: int) -> csr_array:
+    """(n, n) slopes of what leaves each cell.
 
-
-def _difference(columns: int, rows: int) -> csr_array:
-    """What leaves each cell less what enters, from the mass on all faces across x."""
-    count = columns * rows
-    cell = np.arange(count)
-    signs = np.repeat([1.0, -1.0], count)
-    return csr_array((signs, (np.tile(cell, 2), np.concatenate([cell + rows, cell]))), shape=(count, count + rows))
-
-
-def _slope(slopes: Sides, cells: NDArray[np.intp], of: NDArray[np.intp], count: int) -> csr_array:
-    """(n, n) slope of what leaves each cell; cells : beside each face, -1: none; of : on whose value the slope is."""
-    found_rows, found_columns, entries = [], [], []
-    for side, sign in ((slice(None, -1), 1.0), (slice(1, None), -1.0)):
-        for slope, other in zip(slopes, (slice(None, -1), slice(1, None)), strict=True):
-            there = (cells[side] >= 0) & (of[other] >= 0)
-            found_rows.append(cells[side][there])
-            found_columns.append(of[other][there])
-            entries.append(sign * slope[there])
-    flat = [np.concatenate(parts) for parts in (entries, found_rows, found_columns)]
-    return csr_array((flat[0], (flat[1], flat[2])), shape=(count, count))
+    parts : two slopes of the flow through each face; the cells beside it, one row more; and those on whose values the
+        slopes are. -1: no cell
+    """
+    found = []
+    for slopes, beside, of in parts:
+        for cells, sign in ((beside[:-1], 1.0), (beside[1:], -1.0)):
+            there = (cells >= 0) & (of >= 0)
+            found.append((sign * slopes[there], np.broadcast_to(cells, of.shape)[there], of[there]))
+    entries, places, columns = (np.concatenate(each) for each in zip(*found, strict=True))
+    return csr_array((entries, (places, columns)), shape=(count, count))

@@ -5,14 +5,16 @@ cavitation keeps it, and there the oil only has to leave. The load is one more e
 semi-axis a, pressures in his p0 and films in a^2/R_x.
 """
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
+from itertools import count
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline, PchipInterpolator
+from scipy.interpolate import PchipInterpolator, RectBivariateSpline
 from scipy.linalg import lu_factor, lu_solve
 from scipy.sparse.linalg import LinearOperator, gmres
 
@@ -20,7 +22,7 @@ from analytic.errors import ConvergenceError, FembearingError, InputError
 from analytic.scene import Array
 from fembearing.ehl.contact import LubricatedContact
 from fembearing.ehl.elastic import half_space_integrals
-from fembearing.ehl.grid import Grid, cell_count, graded_faces
+from fembearing.ehl.grid import Grid, graded_faces, usual_cells
 from fembearing.ehl.reynolds import Balance, Fluid, balance
 
 # Cells at refinement 1, in units of the contact's half lengths; smaller at the inlet and outlet where the film is thin
@@ -28,18 +30,17 @@ INLET, MIDDLE, EDGE, ACROSS = 0.5, 1.5, 0.06, 0.1  # the first is a share of the
 GROWTH = 0.18  # of the size of cells over the distance outside
 WIDEST_INLET = 0.35  # of the half length
 CUT = 2.5  # half lengths behind the centre where cavitated oil is left out
-LAST, ROUGH = 1e-6, 1e-2  # largest step of pressure over the largest pressure: of a solution, and on the way to it
+LAST, ROUGH = 1e-4, 1e-2  # largest step of pressure over the largest pressure: of a solution, and on the way to it
 STEPS = 30  # of Newton's method; 4 to 8 are usual
 LEAST_GAP = 0.2  # share of the film that a step leaves
 EASY = 20.0  # M of the contact at which a solution starts
-COARSER = 1.6  # the grid before the first
-EASIER, LEAST_EASIER = (
-    4.0,
-    1.1,
-)  # factor on the speed between two steps towards the contact, and the least that is tried
+RATIO = 1.5  # of the cells of two grids
+WHOLE = 4  # divides the number of cells along each direction of the first grid: the next two have exactly the ratio
+EASIER, LEAST_EASIER = 4.0, 1.1  # factor on the speed between two steps towards the contact, and the least one tried
 INNER = 1e-3  # residual of the linear system where an older factorisation solves it
 MOST_INNER = 25  # steps for that, after which a new factorisation is cheaper
-MOST_CELLS = 10_000  # of a grid: matrices are full, with up to 32 bytes for each pair of cells, 3 GB
+AROUND = 81  # points of a spline of the film across three cells
+MOST_CELLS = 10_000  # of a grid: matrices are full, with up to 24 bytes for each pair of cells, 2.4 GB
 
 
 class NoFilmError(ConvergenceError):
@@ -76,19 +77,23 @@ class Solution:
     @property
     def central_film(self) -> float:
         """In the centre, m."""
-        return float(CubicSpline(self.grid.x, self._on_axis)(0.0))
-
-    @cached_property
-    def _on_axis(self) -> Array:
-        """(columns,) film at y = 0 by a parabola, even in y, through the two nearest rows, m."""
-        first, second = self.grid.y[:2] ** 2
-        return (second * self.film[:, 0] - first * self.film[:, 1]) / (second - first)
+        return self._film_at(0.0, 0.0).item()
 
     @property
     def minimum_film(self) -> float:
-        """The least film of a cell where the oil is not cavitated, m."""
+        """The least near the cell of least film where the oil is not cavitated, m."""
         oil = self.pressure > self.contact.oil.cavitation_pressure
-        return float(self.film[oil].min())
+        column, row = np.unravel_index(np.where(oil, self.film, np.inf).argmin(), oil.shape)
+        around = np.linspace(-1, 1, AROUND)
+        x = np.interp(column + around, np.arange(self.grid.x.size), self.grid.x)
+        y = np.interp(row + around, np.arange(-1, self.grid.y.size), np.append(-self.grid.y[0], self.grid.y))
+        return float(self._film_at(x, y).min())
+
+    @cached_property
+    def _film_at(self) -> RectBivariateSpline:
+        """The film, m, between cells, at x and at y, both ascending."""
+        film = np.concatenate([self.film[:, ::-1], self.film], axis=1)
+        return RectBivariateSpline(self.grid.x, np.concatenate([-self.grid.y[::-1], self.grid.y]), film)
 
     @property
     def rolling_force(self) -> float:
@@ -110,17 +115,20 @@ class Solution:
         return -float((force * self.grid.x[:, None]).sum() / force.sum())
 
 
-def solve_on_grids(contact: LubricatedContact, refinements: tuple[float, ...]) -> Iterator[Solution]:
-    """The solution on each grid, coarse to fine.
+def solve_on_grids(contact: LubricatedContact, refinement: float) -> Iterator[Solution]:
+    """The solution on each grid, coarse to fine, as far as the memory goes.
 
+    refinement : of the first grid
     The first start is an easy contact, at a higher speed and of thinner oil under pressure, on a coarser grid still.
     Raises ConvergenceError, which names the regime, where Newton's method does not settle.
     """
-    first = Discretised(contact=contact, refinement=refinements[0] / COARSER)
+    first = Discretised(contact=contact, refinement=refinement, level=-1)
     factor = max((contact.loading / EASY) ** (4 / 3), 1.0)
     path = first.path([(factor, first.first_guess(factor))], last=ROUGH)
-    for refinement in refinements:
-        place = Discretised(contact=contact, refinement=refinement)
+    for level in count():
+        place = Discretised(contact=contact, refinement=refinement, level=level)
+        if place.cell_count > MOST_CELLS:
+            return
         path = place.path([(speed, place.carried(start)) for speed, start in path], last=LAST)
         speed, start = path[-1]
         if speed > 1.0:
@@ -135,11 +143,11 @@ def regime_words(contact: LubricatedContact) -> str:
 
 def require_few_cells(contact: LubricatedContact, refinement: float) -> None:
     """Raise InputError where a film is so thin that a grid of this refinement has more than `MOST_CELLS`."""
-    count = Discretised(contact=contact, refinement=refinement).cell_count
-    if count > MOST_CELLS:
+    cells = Discretised(contact=contact, refinement=refinement).cell_count
+    if cells > MOST_CELLS:
         raise InputError(
             f"the film of {regime_words(contact)} is too thin against its contact for the numerical solution, which "
-            f"would take {count:.3g} cells, above {MOST_CELLS:g}: give more speed or less load"
+            f"would take {cells:.3g} cells, above {MOST_CELLS:g}: give more speed or less load"
         )
 
 
@@ -148,7 +156,8 @@ class Discretised:
     """A contact on one grid, in scaled units."""
 
     contact: LubricatedContact
-    refinement: float
+    refinement: float  # of the first grid
+    level: int = 0  # finer by so many ratios
 
     @cached_property
     def likely_film(self) -> float:
@@ -174,14 +183,21 @@ class Discretised:
     @cached_property
     def grid(self) -> Grid:
         """In semi-axes a."""
-        (x, y), (long, wide), n = self._places, self.half_lengths, self.refinement
-        return Grid(x_faces=graded_faces(*x, refinement=n) * long, y_faces=graded_faces(*y, refinement=n) * wide)
+        (x, y), (long, wide) = self._places, self.half_lengths
+        nx, ny = (number / usual_cells(*each) for number, each in zip(self._counts, self._places, strict=True))
+        return Grid(x_faces=graded_faces(*x, refinement=nx) * long, y_faces=graded_faces(*y, refinement=ny) * wide)
 
     @property
     def cell_count(self) -> int:
         """Of the grid, without making it."""
-        columns, rows = (cell_count(*each, refinement=self.refinement) for each in self._places)
-        return columns * rows
+        return math.prod(self._counts)
+
+    @property
+    def _counts(self) -> tuple[int, int]:
+        """Columns and rows."""
+        first = (max(round(self.refinement * usual_cells(*each) / WHOLE), 1) * WHOLE for each in self._places)
+        columns, rows = (round(each * RATIO**self.level) for each in first)
+        return columns, rows
 
     @property
     def _places(self) -> tuple[tuple[list[float], list[float]], tuple[list[float], list[float]]]:
@@ -312,15 +328,14 @@ class Discretised:
         least = self.contact.oil.cavitation_pressure / self.contact.peak_pressure
         areas, half_load = self.grid.areas.ravel(), np.pi / 3 * self.contact.semi_axes[1] / self.contact.semi_axes[0]
         pressure, approach = np.maximum(start.pressure.ravel(), least), start.approach
-        solver = _Linear(self.elastic)
+        solver = _Linear(self.elastic, areas)
         film = approach + self.gap + self.elastic @ pressure
         for _ in range(STEPS):
             now = self.balanced(pressure, np.maximum(film, 1e-2 * self.film_scale), speed)
             diagonal = now.by_pressure.diagonal() + now.by_film.diagonal() * self.elastic.diagonal()
             held = pressure - least < now.excess / np.abs(diagonal)
             fixed = np.where(held, least - pressure, 0.0)
-            missing = half_load - float(areas @ (pressure + fixed))
-            step, lift = solver.step(now, held, fixed, areas, missing)
+            step, lift = solver.step(now, held, fixed, half_load - float(areas @ pressure))
             change = self.elastic @ step + lift
             if not np.isfinite(change).all():
                 return None
@@ -348,73 +363,55 @@ class Discretised:
 
 
 class _Linear:
-    """Newton's linear systems on one grid: the first is factorised, and later ones are solved with its help."""
+    """Newton's linear systems on one grid, by GMRES with the factors of an earlier one; matrices in single precision.
 
-    def __init__(self, elastic: Array) -> None:
-        self.elastic = elastic
-        self.factors: tuple[Array, NDArray[np.int32]] | None = None
-        self.known = np.zeros(0, dtype=np.intp)  # cells of the factorised system
+    The unknowns are the step of pressure in each cell and that of the approach.
+    """
 
-    def step(
-        self, now: Balance, held: NDArray[np.bool_], fixed: Array, areas: Array, missing: float
-    ) -> tuple[Array, float]:
+    def __init__(self, elastic: Array, areas: Array) -> None:
+        self.elastic, self.areas = elastic.astype(np.float32), areas
+        self.factors: tuple[NDArray[np.float32], NDArray[np.int32]] | None = None
+        self.known = np.zeros(0, dtype=np.intp)  # unknowns of the factorised system
+
+    def step(self, now: Balance, held: NDArray[np.bool_], fixed: Array, missing: float) -> tuple[Array, float]:
         """The step of pressure, (n,), and that of the approach.
 
-        held : cells that take the step `fixed`;  missing : load on the half domain beside that step
+        held : cells that take the step `fixed`;  missing : load on the half domain
         """
-        free = np.flatnonzero(~held)
-        wanted = -now.excess
-        if fixed.any():
-            wanted = wanted - now.by_pressure @ fixed - now.by_film @ (self.elastic @ fixed)
-        pushed = np.asarray(now.by_film.sum(axis=1)).ravel()
-        right = np.append(wanted[free], missing)
-        found = self._by_known_factors(now, free, pushed, areas, right)
-        if found is None:
-            matrix = np.empty((free.size + 1, free.size + 1), order="F")
-            matrix[:-1, :-1] = now.by_film[free] @ self.elastic[:, free]
-            coordinates = now.by_pressure[free][:, free].tocoo()
-            matrix[coordinates.coords] += coordinates.data
-            matrix[:-1, -1], matrix[-1, :-1], matrix[-1, -1] = pushed[free], areas[free], 0.0
-            self.factors, self.known = lu_factor(matrix, overwrite_a=True, check_finite=False), free
-            found = lu_solve(self.factors, right, check_finite=False)
-        step = fixed.copy()
-        step[free] = found[:-1]
-        return step, float(found[-1])
-
-    def _by_known_factors(
-        self, now: Balance, free: NDArray[np.intp], pushed: Array, areas: Array, right: Array
-    ) -> Array | None:
-        """GMRES on all free cells, preconditioned by the last factorisation; None where that is of no use."""
-        if self.factors is None:
-            return None
-        factors, known = self.factors, self.known
-        scale = 1 / np.maximum(np.abs(now.by_pressure.diagonal()), 1e-300)
-        full = np.zeros(self.elastic.shape[0])
+        scale = np.append(np.where(held, 1.0, now.by_pressure.diagonal()), 1.0)
 
         def product(vector: Array) -> Array:
-            full[:] = 0.0
-            full[free] = vector[:-1]
-            out = now.by_pressure @ full + now.by_film @ (self.elastic @ full) + pushed * vector[-1]
-            return np.append(out[free], areas @ full)
+            step = vector[:-1]
+            leaving = now.by_pressure @ step + now.by_film @ (self.elastic @ step.astype(np.float32) + vector[-1])
+            return np.append(np.where(held, step, leaving), self.areas @ step)
 
         def likely(vector: Array) -> Array:
-            full[:] = 0.0
-            full[free] = vector[:-1]
-            inner = lu_solve(factors, np.append(full[known], vector[-1]), check_finite=False)
-            scaled = full * scale
-            scaled[known] = inner[:-1]
-            return np.append(scaled[free], inner[-1])
+            found = vector / scale
+            found[self.known] = lu_solve(self.factors, vector[self.known].astype(np.float32), check_finite=False)
+            found[:-1][held] = vector[:-1][held]
+            return found
 
-        size = (right.size, right.size)
-        found, status = gmres(
-            LinearOperator(size, matvec=product, dtype=np.float64),
-            right,
-            M=LinearOperator(size, matvec=likely, dtype=np.float64),
-            rtol=INNER,
-            restart=MOST_INNER,
-            maxiter=1,
-        )
-        return found if status == 0 else None
+        start = np.append(fixed, 0.0)
+        rest = np.append(np.where(held, fixed, -now.excess), missing) - product(start)
+        # The factors stand on the right, so that the residual of the system itself is small.
+        operator = LinearOperator((rest.size, rest.size), lambda vector: product(likely(vector)), dtype=float)
+        solved = partial(gmres, operator, rest, rtol=INNER, restart=MOST_INNER, maxiter=1)
+        found, failed = solved() if self.factors else (rest, 1)
+        if failed:
+            self._factorise(now, np.flatnonzero(~held))
+            found, _ = solved()
+        step = start + likely(found)
+        return step[:-1], float(step[-1])
+
+    def _factorise(self, now: Balance, free: NDArray[np.intp]) -> None:
+        matrix = np.empty((free.size + 1, free.size + 1), dtype=np.float32, order="F")
+        by_film = now.by_film[free]
+        matrix[:-1, :-1] = by_film.astype(np.float32) @ self.elastic[:, free]
+        coordinates = now.by_pressure[free][:, free].tocoo()
+        matrix[coordinates.coords] += coordinates.data
+        matrix[:-1, -1], matrix[-1, :-1], matrix[-1, -1] = by_film.sum(axis=1), self.areas[free], 0.0
+        self.factors = lu_factor(matrix, overwrite_a=True, check_finite=False)
+        self.known = np.append(free, now.excess.size)
 
 
 def _within(places: list[float], sizes: list[float], start: float, end: float) -> tuple[list[float], list[float]]:

@@ -47,8 +47,7 @@ def test_both_halves_of_the_pressure_move_each_cell() -> None:
 
 
 def solved(contact: LubricatedContact) -> Solution:
-    (found,) = solve_on_grids(contact, (0.6,))
-    return found
+    return next(solve_on_grids(contact, 0.9))
 
 
 @pytest.mark.parametrize("share", [0.2, -0.3])
@@ -59,8 +58,8 @@ def test_an_addition_that_bends_both_surfaces_is_another_radius(share: float) ->
     curved = replace(contact, shape=Paraboloid(rolling_radius=rolling / (1 + share), transverse_radius=across))
     bent = replace(contact, added=Addition(scale=share / (2 * rolling * contact.load), bend=1.0))
     direct, by_addition, without = solved(curved), solved(bent), solved(contact)
-    assert abs(direct.central_film / without.central_film - 1) > 0.04
-    assert abs(direct.pressure_centre / without.pressure_centre - 1) > 0.1
+    assert abs(direct.central_film / without.central_film - 1) > 0.03  # above what the grids leave
+    assert abs(direct.pressure_centre / without.pressure_centre - 1) > 0.08
     # Each has a grid for the ellipse of its own radius, with an error of 1 to 2 %.
     assert by_addition.central_film == pytest.approx(direct.central_film, rel=0.02)
     assert by_addition.pressure_centre == pytest.approx(direct.pressure_centre, rel=0.03)

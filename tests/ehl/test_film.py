@@ -2,17 +2,19 @@
 
 import math
 from functools import cache
+from itertools import islice
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
+from fembearing.ehl.contact import LubricatedContact
 from fembearing.ehl.film import LEAST, OF_FILM, NumericalFilm, estimates_of, extrapolation, numerical_film
-from fembearing.ehl.solver import solve_on_grids
+from fembearing.ehl.solver import Solution, solve_on_grids
 from tests.ehl.contacts import moes
 
-COARSE = 0.6  # refinement that is enough for a per cent of light contacts
+COARSE = 0.4  # refinement of the first grid that is enough for a per cent of light contacts
 
 
 @cache
@@ -22,7 +24,13 @@ def rigid(ahead: float) -> NumericalFilm:
 
 @cache
 def usual(loading: float, ahead: float) -> NumericalFilm:
-    return numerical_film(moes(loading, 10.0, ahead=ahead))
+    return numerical_film(moes(loading, 10.0, ahead=ahead), refinement=0.65)
+
+
+def second(contact: LubricatedContact, refinement: float) -> Solution:
+    """On the second grid."""
+    *_, found = islice(solve_on_grids(contact, refinement), 2)
+    return found
 
 
 def film_number(found: NumericalFilm) -> float:
@@ -54,7 +62,7 @@ def test_both_ways_to_the_force_agree_for_constant_viscosity() -> None:
 
 def test_a_dry_contact_is_that_of_hertz() -> None:
     """At M 1000 the film is 3 % of the contact's deflection: pressures are Hertz's to 1 % but at the edge."""
-    *_, found = solve_on_grids(moes(1000.0, 5.0, ahead=6.0), (0.55, 0.8))
+    found = second(moes(1000.0, 5.0, ahead=6.0), 0.55)
     contact = found.contact
     assert found.pressure.max() == pytest.approx(contact.peak_pressure, rel=0.01)
     a, _ = contact.semi_axes
@@ -77,7 +85,7 @@ def test_a_dry_contact_is_that_of_hertz() -> None:
 def test_contacts_of_the_same_numbers_of_moes_have_the_same_film_and_force(
     law: str, pressure_viscosity: float, tolerance: float
 ) -> None:
-    one = numerical_film(moes(23.0, 5.0, 0.47, compressible=False, law=law), refinement=0.5)
+    one = numerical_film(moes(23.0, 5.0, 0.47, compressible=False, law=law), refinement=0.33)
     other = moes(
         23.0,
         5.0,
@@ -89,7 +97,7 @@ def test_contacts_of_the_same_numbers_of_moes_have_the_same_film_and_force(
         modulus=0.8e11,
         radius=4e-3,
     )
-    two = numerical_film(other, refinement=0.5)
+    two = numerical_film(other, refinement=0.33)
     assert film_number(two) == pytest.approx(film_number(one), rel=tolerance)
     assert force_number(two) == pytest.approx(force_number(one), rel=tolerance)
 
@@ -123,7 +131,7 @@ def test_circular_contact_has_the_film_and_force_of_two_other_codes(ahead: float
 
 
 def test_mass_is_conserved_across_every_column_with_pressure() -> None:
-    *_, found = solve_on_grids(moes(20.0, 10.0), (0.5, 0.7))
+    found = second(moes(20.0, 10.0), 0.5)
     through, aside = found.balance.through, found.balance.aside
     full = (found.pressure > 0).all(axis=1)
     assert full.sum() > 10
@@ -135,20 +143,30 @@ def test_mass_is_conserved_across_every_column_with_pressure() -> None:
 
 def test_a_force_whose_errors_cancel_is_as_uncertain_as_its_film_tells() -> None:
     """On three grids of one contact the force hardly moves, although the film has an error of 6 % on the last one."""
-    films, forces, least = (0.786, 0.883, 0.940), (1.006, 1.0043, 0.9977), (0.77, 0.86, 0.91)
+    films, forces, least = (0.786, 0.883, 0.940), (1.006, 1.0043, 0.9977), (0.77, 0.86, 0.94)
     solutions: list[Any] = [
         SimpleNamespace(
             central_film=film, rolling_force=force, minimum_film=low, dissipated_force=force, pressure_centre=force
         )
         for film, force, low in zip(films, forces, least, strict=True)
     ]
-    found = estimates_of(solutions, (0.41, 0.6, 0.87))
+    found = estimates_of(solutions)
     assert found["rolling_force"].total > 0.0082  # the change to two finer levels
-    assert found["minimum_film"].total >= 0.0899 / found["minimum_film"].value  # its largest change
     film = found["central_film"]
     least = LEAST + OF_FILM * abs(1 - films[-1] / film.value)
     assert found["rolling_force"].mesh == pytest.approx(least, rel=1e-9)
-    assert found["minimum_film"].mesh == pytest.approx(0.09 / found["minimum_film"].value, rel=1e-9)
+
+
+def test_the_least_film_is_as_uncertain_as_an_earlier_change() -> None:
+    """Its place moves with the cells, and so the last change may be small by chance."""
+    solutions: list[Any] = [
+        SimpleNamespace(
+            central_film=1.1, rolling_force=1.2, minimum_film=low, dissipated_force=1.3, pressure_centre=0.7
+        )
+        for low in (0.71, 0.86, 0.87)
+    ]
+    found = estimates_of(solutions)["minimum_film"]
+    assert found.mesh == pytest.approx(0.15 / 1.5 / found.value, rel=1e-9)
 
 
 def sequence(order: float) -> tuple[tuple[float, ...], tuple[float, ...]]:

@@ -68,9 +68,11 @@ FASTER = row(inner_speed=30 * np.pi, verdict="inside", beyond=0.0)
 TWO = comparison(row(), FASTER)
 
 
-def quantity(formula: float, production: float, numerical: float, uncertainty: float, order: Any = 2.13) -> Comparison:
+def quantity(
+    formula: float, production: float, numerical: float, uncertainty: float, order: Any = 2.13, verdict: Any = "shown"
+) -> Comparison:
     study = grid_convergence.Estimate(values=(numerical,), order=order, richardson=None, mesh=uncertainty / numerical)
-    return compared(production, numerical, uncertainty, formula=formula, study=study)
+    return compared(production, numerical, uncertainty, formula=formula, verdict=verdict, study=study)
 
 
 FILM = FilmNumbers(
@@ -86,7 +88,7 @@ FILM = FilmNumbers(
     ellipticity=0.124,
     quantities={
         "central_film": quantity(0.52e-6, 0.55e-6, 0.5e-6, 0.02e-6),
-        "minimum_film": quantity(0.29e-6, 0.294e-6, 0.3e-6, 0.009e-6, order=None),
+        "minimum_film": quantity(0.29e-6, 0.294e-6, 0.3e-6, 0.009e-6, None, "pass"),
         "rolling_force": quantity(3.6e-3, 2.25e-3, 3e-3, 0.6e-3),
         "pressure_centre": quantity(8.2e-6, 8e-6, 8e-6, 0.0),
     },

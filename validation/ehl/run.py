@@ -43,7 +43,7 @@ FITTED = {"loading": (6.0, 4000.0), "thickening": (2.0, 20.0), "ellipticity": (0
 MIDDLE = (140.0, 6.3, 0.14)  # of these, about
 MOST_PRESSURE = 4e9  # Pa: beyond, no steel bearing works
 REACH = 12.0  # half lengths a of the contact, or of the thicker film: the rest of the inlet is a logarithm
-REFINEMENT = 0.85
+REFINEMENT = 0.57  # of the first grid
 
 
 # One solution, in Moes's numbers: films over R_x U^(1/2), forces over E' R_x^2 U. Its number in the sequence of draws;

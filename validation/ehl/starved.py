@@ -25,7 +25,7 @@ from validation.study import numbers, out, progress, read, run, write
 TABLE = Path(__file__).parent / "starved.csv"
 SEED, CONTACTS = 71, 12  # no draws of the fit
 DEGREES = (1.3, 1.4, 1.6, 2.0, 2.5, 4.0, 8.0)
-REFINEMENT = 0.7
+REFINEMENT = 0.47  # of the first grid
 NEAR = 2.0  # degree below which both factors are worse
 # M, L, lambda, m; of film and rolling: numerical over that with the longest oil, and the factor of production
 COLUMNS = ("loading", "thickening", "ellipticity", "degree", "film", "film_factor", "rolling", "rolling_factor")

@@ -53,8 +53,7 @@ from fembearing.check.creep.production import models_of, produced
 from fembearing.check.creep.scene_creep import reference_torque, scene_at_heaviest
 from fembearing.check.film.scene_film import problem_of
 from fembearing.check.memory import peak_memory
-from fembearing.ehl.film import RATIO, USUAL, numerical_film
-from fembearing.ehl.solver import require_few_cells
+from fembearing.ehl.film import numerical_film
 from fembearing.fem.compliance import sampled_pair
 from fembearing.fem.measure import Quantities
 from fembearing.fem.pixel_contact import press_pair
@@ -365,8 +364,7 @@ def _motions(driven: DrivenCage, steps: Sequence[float], how: dict[str, Any]) ->
 def films(scene: Scene) -> Iterator[Declared]:
     """Central film and rolling force of the heaviest ball on the inner race, from the same grids."""
     closed = problem_of(scene, "inner")
-    require_few_cells(closed.problem, USUAL * RATIO)
-    found = numerical_film(closed.problem, refinement=USUAL)
+    found = numerical_film(closed.problem)
     of_film, spread = FILM_FACTORS[1] - 1, COVERAGE * ROLLING_SPREAD
     of_fit = spread * (1 - closed.model_force()[1] * (1 - FIT_SHARE))
     film = [Candidate("formula", closed.film, bound=of_film), Candidate(MODEL, closed.model_film, bound=of_film)]

@@ -13,8 +13,8 @@ from fembearing.report.report import Report
 WORDS = (
     "This appendix compares the formulas of film and rolling with a numerical solution of the lubricated contact: "
     "Reynolds' equation with the oil's viscosity and density under pressure, elastic half spaces, and the true circles "
-    "of ball and race. The verdict compares the difference with the error of the formula in the uncertainty of the "
-    "torque."
+    "of ball and race. The verdicts compare the differences with the errors of the formulas in the uncertainty of the "
+    "torque. The minimum film, which the torque does not take, has its own, by the error of the central film."
 )
 BODIES = {"half-space": "elastic half spaces", "meshed": "ball and race of true shape, by finite elements"}
 
@@ -68,7 +68,8 @@ def _notes(film: FilmNumbers, units: Units) -> list[str]:
         f"{units.length.written(reach.behind, '.3g')} behind; flooded, isothermal, smooth; {BODIES[film.compliance]}.",
         f"The force from the viscous dissipation, equal for incompressible oil, differs by {check:+.1%}. "
         f"{film.seconds:.1f} s",
-        f"Film and rolling force of the model within their stated 95 % errors: {film.verdict}.",
+        f"Film and rolling force of the model within their stated 95 % errors: {film.verdict}. Minimum film within "
+        f"that of the film: {film.quantities['minimum_film'].verdict}.",
     ]
 
 

@@ -106,7 +106,7 @@ def test_a_numerical_solution_with_little_oil(degree: float, film: float, rollin
     whole = contact_of(170.0, 7.3, 0.13)
     assert whole is not None
     little = replace(whole, reach=replace(whole.reach, ahead=degree * whole.semi_axes[0]))
-    flooded, starved = numerical_film(whole, refinement=0.7), numerical_film(little, refinement=0.7)
+    flooded, starved = numerical_film(whole), numerical_film(little)
     film_left, rolling_left = factors(whole, degree, flooded.central_film.value)
     assert film_left == pytest.approx(starved.central_film.value / flooded.central_film.value, rel=film)
     assert rolling_left == pytest.approx(starved.rolling_force.value / flooded.rolling_force.value, rel=rolling)

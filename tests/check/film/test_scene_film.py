@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from analytic.errors import InputError
+from analytic.oil.film import FILM_FACTORS
 from analytic.scene import Operation, Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
@@ -74,11 +75,11 @@ def part(value: float, uncertainty: float) -> Estimate:
     return Estimate(values=(value,), order=2.1, richardson=None, mesh=0.8 * uncertainty, domain=0.6 * uncertainty)
 
 
-def compared(closed: ClosedForms, *, film: float = 1.0, force: float = 1.0) -> Any:
-    """With so many times the film and the force that production takes."""
+def compared(closed: ClosedForms, *, film: float = 1.0, force: float = 1.0, least: float = 1.0) -> Any:
+    """With so many times the films and the force that production takes."""
     solution: Any = SimpleNamespace(
         central_film=part(film * closed.model_film(), 0.01),
-        minimum_film=part(0.7e-7, 0.02),
+        minimum_film=part(least * closed.minimum_ratio() * closed.model_film(), 0.02),
         rolling_force=part(force * closed.model_force()[0], 0.03),
         pressure_centre=part(-3e-6, 0.04),
         dissipated_force=part(0.013, 0.05),
@@ -122,6 +123,13 @@ def test_film_and_force_are_judged_by_the_stated_errors_of_the_model(
     closed: ClosedForms, film: float, force: float, verdict: str
 ) -> None:
     assert compared(closed, film=film, force=force).verdict == verdict
+
+
+@pytest.mark.parametrize(("least", "verdict"), [(1.1, "pass"), (0.3, "fail"), (FILM_FACTORS[0], "undecided")])
+def test_the_minimum_film_has_its_own_verdict(closed: ClosedForms, least: float, verdict: str) -> None:
+    for film, common in ((1.0, "pass"), (3.0, "fail")):
+        found = compared(closed, film=film, least=least)
+        assert (found.quantities["minimum_film"].verdict, found.verdict) == (verdict, common)
 
 
 def test_a_contact_takes_the_load_and_the_speed_that_are_asked_for(scene: Scene) -> None:
