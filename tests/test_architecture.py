@@ -22,7 +22,7 @@ LONGER = {  # functions that may have more
         "part of a compiled kernel: records and arrays that one point works with",
     ),
     **dict.fromkeys(("solve_contact", "solve_load_series"), "a public face: a contact and how it is solved"),
-    "validate": "the main job and its command: what a check computes besides, each by its name",
+    **dict.fromkeys(("validate", "check_scene"), "the main job and its command: what it computes, by name"),
     **dict.fromkeys(("compare", "contact", "film", "creep", "torque"), "a command: its options, each by its name"),
 }
 HEAVY = {"vtk", "vtkmodules", "pyvista", "skfem", "pint", "pydantic", "pymklpardiso", "numba", "xarray", "netCDF4"}

@@ -9,6 +9,7 @@ from threading import Event, Lock
 from typing import Any, NamedTuple
 
 import numpy as np
+from threadpoolctl import threadpool_limits
 
 from analytic.brief import Brief
 from analytic.columns import CONTACT_COLUMNS, VERDICT
@@ -290,7 +291,7 @@ def _side_by_side(
 
         return tell
 
-    with ThreadPoolExecutor(solver_threads()) as threads:
+    with threadpool_limits(1, "blas"), ThreadPoolExecutor(solver_threads()) as threads:
         try:
             yield threads, map(part, range(len(seconds)))
         except BaseException:

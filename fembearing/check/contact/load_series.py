@@ -20,6 +20,7 @@ from typing import Any, NamedTuple, Unpack
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.special import stdtrit
+from threadpoolctl import threadpool_limits
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
@@ -344,7 +345,7 @@ def solve_load_series(
     recipe = recipe_of(geometry, pair=pair)
     largest = float(given.max())
     contact = replace(contact_of(scene, pair=pair, load=largest), load=float(given[0]))
-    with traced_to_load(scene, pair=pair, load=largest):
+    with traced_to_load(scene, pair=pair, load=largest), threadpool_limits(1, "blas"):
         series = compare_series(
             contact, recipe=recipe, loads=given, tolerance=tolerance, accuracy=accuracy, progress=progress
         )

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Unpack
 
 import numpy as np
 from annotated_types import MinLen
+from threadpoolctl import threadpool_limits
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief
@@ -359,7 +360,7 @@ def solve_contact(
     recipe = recipe_of(geometry, pair=pair)
     if geometry == "ring":
         known_ring(contact)
-    with traced_to_load(scene, pair=pair, load=load):
+    with traced_to_load(scene, pair=pair, load=load), threadpool_limits(1, "blas"):
         solution = compare_contact(contact, recipe=recipe, tolerance=tolerance, accuracy=accuracy, progress=progress)
         if geometry == "ring":
             progress(1.0, f"{pair}: ring")

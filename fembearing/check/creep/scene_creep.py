@@ -136,9 +136,10 @@ def creep_of(
     production = produced(given)
     formula, march = by_formula(production), by_march(production)
     between = time.perf_counter()
-    reference, uncertainty, solved = reference_torque(
-        production, tolerance=limit, compliance=compliance, progress=progress
-    )
+    with threadpool_limits(1, "blas"):
+        reference, uncertainty, solved = reference_torque(
+            production, tolerance=limit, compliance=compliance, progress=progress
+        )
     heaviest, ball = solved[0], production.balls[0]
     races: dict[Race, RaceNumbers] = {
         name: _race(getattr(heaviest, name), race, ball.mirrored, (formula[k], march[k]), ball.turning.speed)

@@ -11,6 +11,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+from threadpoolctl import threadpool_limits
 
 from analytic.brief import Brief
 from analytic.contact.geometry import Race
@@ -206,11 +207,12 @@ def film_of(
     limit = scene.tolerance if tolerance is None else tolerance
     progress(0.0, f"{pair}: film on three grids")
     found: RaceFilm | None = None
-    for solution in _films_of(problem):
-        found = compare_film(closed, solution, tolerance=limit)
-        if found.numbers.worst[1] <= limit:
-            break
-        progress(0.2, f"{pair}: film on a finer grid")
+    with threadpool_limits(1, "blas"):
+        for solution in _films_of(problem):
+            found = compare_film(closed, solution, tolerance=limit)
+            if found.numbers.worst[1] <= limit:
+                break
+            progress(0.2, f"{pair}: film on a finer grid")
     assert found is not None
     return replace(found, numbers=replace(found.numbers, compliance=compliance))
 
