@@ -2,11 +2,12 @@
 
 import time
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import CancelledError, ThreadPoolExecutor
+from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from itertools import product
 from threading import Event, Lock
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from threadpoolctl import threadpool_limits
@@ -46,6 +47,9 @@ POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("
 FILM_SECONDS, CREEP_SECONDS, COST_SECONDS = 4.0, 3.0, 45.0  # of a race, of a bearing, of all
 CREEP_TOLERANCE = 0.02  # the least that the check asks of numerical friction: half of it takes four times as long
 ENOUGH = 0.2  # uncertainty that a reference must reach, as a share of the tolerance that it is to judge
+
+
+Part = TypeVar("Part")
 
 
 class _Job(NamedTuple):
@@ -192,7 +196,7 @@ def check_scene(
     film: bool = True,
     creep: bool = True,
     progress: Progress = silent,
-    at_contacts: Callable[[tuple[ContactSolution, ...]], None] | None = None,
+    at_contacts: Callable[[tuple[ContactSolution, ...]], None] = lambda _contacts: None,
 ) -> Validation:
     """Check each race contact of a scene, and where it has a cage the pocket, in a thick seat and in its sheet.
 
@@ -212,55 +216,42 @@ def check_scene(
     scene = scene if tolerance is None else with_tolerance(scene, tolerance)
     if cost:
         balls_of(scene)  # refuses a pair: each method is measured on one bearing
-    torque = None
-    if scene.has_friction or "on" in scene.effects.values():
-        # Refuses what it cannot model before anything is solved.
-        torque = torque_of_scene(scene, samples=samples, progress=lambda _share, step: progress(0.0, step))
-    measured_torques = None
-    if scene.measured is not None:
-        measured_torques = compare_measured(scene, progress=lambda _share, step: progress(0.0, step))
+    torque, measured_torques = _torques(scene, samples, lambda _share, step: progress(0.0, step))
     bearings, friction = list(bearings_of(scene)), None if torque is None else torque.friction
     jobs = _jobs(scene, bearings)  # refuses too
     moves = bool(np.any(scene.operation.inner_speed))
-    oiled = film and moves and scene.lubricant is not None
+    races = list(product(bearings, RACE_NAMES)) if film and moves and scene.lubricant is not None else []
     slipping = bearings if creep and moves and friction is not None and friction.sliding != "none" else []
-    races: list[tuple[OneBearing, Race]] = [(each, race) for each in bearings for race in RACE_NAMES] if oiled else []
     seconds = [job.seconds for job in jobs] + [FILM_SECONDS] * len(races) + [CREEP_SECONDS] * len(slipping)
-    solved = sum(seconds) / (sum(seconds) + COST_SECONDS * cost)
-    films, slips, missing = [], [], []
-    by_films = None
+    solved, missing, by_films = sum(seconds) / (sum(seconds) + COST_SECONDS * cost), [], None
     with _side_by_side(part_of(progress, 0.0, solved), seconds) as (threads, steps):
         solving = threads.submit(_contacts, jobs, [next(steps) for _ in jobs])
-        filming = [(each, race, threads.submit(_film, each, race, next(steps))) for each, race in races]
-        creeping = [(each, threads.submit(_creep, each, next(steps))) for each in slipping]
+        filming = [
+            (f"film on the {race} race{which_bearing(of.name)}", threads.submit(_film, of, race, next(steps)))
+            for of, race in races
+        ]
+        creeping = [(f"friction{which_bearing(of.name)}", threads.submit(_creep, of, next(steps))) for of in slipping]
         varying = threads.submit(sensitivity_of, scene)
         recording = threads.submit(_recorded, scene, friction)
         contacts = solving.result()
-        if at_contacts is not None:
-            at_contacts(contacts)
+        at_contacts(contacts)
         changing = threads.submit(_changed, scene, friction, contacts)
-        for each, race, film_found in filming:
-            with _noted(missing, f"no numerical film on the {race} race{which_bearing(each.name)}"):
-                films.append(film_found.result())
+        films = tuple(_known(filming, missing))
         if films and friction is not None:
             with _noted(missing, "no torque with the numerical films"):
-                by_films = film_change(scene, friction, tuple(films))
-        for each, creep_found in creeping:
-            with _noted(missing, f"no numerical friction{which_bearing(each.name)}"):
-                slips.append(creep_found.result())
+                by_films = film_change(scene, friction, films)
+        slips = tuple(_known(creeping, missing))
     return Validation(
         scene=scene,
         contacts=contacts,
         torque=torque,
         torque_change=changing.result(),
-        films=tuple(films),
+        films=films,
         film_change=by_films,
-        creep=tuple(slips),
+        creep=slips,
         missing=tuple(missing),
         hard=last_run(),
-        ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, solved, 1.0)).ladders
-        if cost
-        else tuple(contact_ladder_of(contact) for contact in contacts if contact.numbers.judged),
+        ladders=_ladders(scene, contacts, part_of(progress, solved, 1.0) if cost else None),
         measured=cost,
         measured_torques=measured_torques,
         sensitivity=varying.result(),
@@ -268,6 +259,24 @@ def check_scene(
         seconds=time.perf_counter() - start,
         peak_memory=peak_memory(),
         provenance=provenance_of(scene, seeds=_seeds(scene, torque, measured_torques, cost=cost)),
+    )
+
+
+def _ladders(scene: Scene, contacts: Sequence[ContactSolution], progress: Progress | None) -> tuple[Ladder, ...]:
+    """All of the scene's, measured with a progress; without one, those of the contacts that are judged."""
+    if progress is not None:
+        return measure_cost(scene, tolerance=scene.tolerance, progress=progress).ladders
+    return tuple(contact_ladder_of(contact) for contact in contacts if contact.numbers.judged)
+
+
+def _torques(
+    scene: Scene, samples: Samples, progress: Progress
+) -> tuple[SceneTorque | None, MeasuredComparison | None]:
+    """The torque, and beside it the measured ones, as far as the scene gives them; refuses what cannot be modelled."""
+    has_torque = scene.has_friction or "on" in scene.effects.values()
+    return (
+        torque_of_scene(scene, samples=samples, progress=progress) if has_torque else None,
+        None if scene.measured is None else compare_measured(scene, progress=progress),
     )
 
 
@@ -312,6 +321,13 @@ def _creep(of: OneBearing, progress: Progress) -> SceneCreep:
     found = creep_of(of.scene, tolerance=max(of.scene.tolerance, CREEP_TOLERANCE), progress=progress)
     progress(1.0, "friction solved")
     return replace(found, numbers=replace(found.numbers, bearing=of.name), place=int(of.points[found.place]))
+
+
+def _known(parts: Sequence[tuple[str, Future[Part]]], missing: list[str]) -> Iterator[Part]:
+    """The parts that could be solved, and why the others could not; each with its name."""
+    for name, part in parts:
+        with _noted(missing, f"no numerical {name}"):
+            yield part.result()
 
 
 @contextmanager

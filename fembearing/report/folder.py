@@ -40,7 +40,7 @@ def validate(
     film: bool = True,
     creep: bool = True,
     progress: Progress = silent,
-    at_contacts: Callable[[tuple[ContactSolution, ...]], None] | None = None,
+    at_contacts: Callable[[tuple[ContactSolution, ...]], None] = lambda _contacts: None,
     **given: Unpack[SceneOptions],
 ) -> Validation:
     """Check every contact of a scene, and write the report.
