@@ -16,8 +16,8 @@ NOTES = (
     "not extrapolated; mesh: three times the spread of the last three, or of the remainder with the observed order if "
     "larger.",
     "By the compliance of the pair all quantities are extrapolated with order 3, the approach after a correction of "
-    "1.4 % of the square of the larger semi-axis over level and ball's radius; mesh: 0.7 times the step, 0.02 %, 0.1 % of "
-    "the square of the semi-axis over the radius, and more where an unlike shoulder is near.",
+    "1.4 % of the square of the larger semi-axis over level and ball's radius; mesh: 0.7 times the step, 0.02 %, 0.1 % "
+    "of the square of the semi-axis over the radius, and more where an unlike shoulder is near.",
     "A contact cut off at a shoulder is not extrapolated either; mesh: three times the last change, plus 0.03 %. All "
     "have 0.008 % more for common errors of the meshes.",
     "Far boundary: change by a larger block, included in the value. Semi-axes and pressure: as in an infinite block; "
