@@ -95,6 +95,8 @@ def estimates_of(solutions: Sequence[Solution]) -> dict[str, Estimate]:
         for name in ("minimum_film", "rolling_force", "dissipated_force", "pressure_centre")
     }
     low = others["minimum_film"]
+    if low.value > film.value:  # on coarse grids: no film is thinnest in the centre
+        low = replace(low, richardson=film.value)
     # The place of the least film moves with the cells, and its last change may be small by chance.
     change = abs(low.values[1] - low.values[0]) / RATIO / abs(low.value)
     return {"central_film": film, **others, "minimum_film": replace(low, mesh=max(low.mesh, change))}

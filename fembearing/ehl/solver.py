@@ -40,6 +40,7 @@ EASIER, LEAST_EASIER = 4.0, 1.1  # factor on the speed between two steps towards
 INNER = 1e-3  # residual of the linear system where an older factorisation solves it
 MOST_INNER = 25  # steps for that, after which a new factorisation is cheaper
 AROUND = 81  # points of a spline of the film across three cells
+LEAST_BETWEEN = 0.5  # of the least film of a cell: on coarse cells the spline falls below 0
 MOST_CELLS = 10_000  # of a grid: matrices are full, with up to 24 bytes for each pair of cells, 2.4 GB
 
 
@@ -84,10 +85,11 @@ class Solution:
         """The least near the cell of least film where the oil is not cavitated, m."""
         oil = self.pressure > self.contact.oil.cavitation_pressure
         column, row = np.unravel_index(np.where(oil, self.film, np.inf).argmin(), oil.shape)
+        least = LEAST_BETWEEN * float(self.film[column, row])
         around = np.linspace(-1, 1, AROUND)
         x = np.interp(column + around, np.arange(self.grid.x.size), self.grid.x)
         y = np.interp(row + around, np.arange(-1, self.grid.y.size), np.append(-self.grid.y[0], self.grid.y))
-        return float(self._film_at(x, y).min())
+        return max(float(self._film_at(x, y).min()), least)
 
     @cached_property
     def _film_at(self) -> RectBivariateSpline:

@@ -4,11 +4,12 @@ import time
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from scipy.sparse import csr_matrix
 
-from analytic.errors import ConvergenceError
+from analytic.errors import ConvergenceError, InputError
 from analytic.scene import Array, Contact, Material
 from fembearing.fem.condensation import CondensedBody, condense
 from fembearing.fem.contact import press
@@ -52,6 +53,7 @@ class CondensedPair:
     upper: CondensedBody
     lower: CondensedBody
     mass: csr_matrix  # (m, m) m^2, of the upper body's surface up to a shoulder, over the nodes that may touch
+    has_lands: bool  # False: a land was too steep to be meshed, and both sides are alike
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -93,8 +95,8 @@ def solve_on_mesh(
 
     extended : add cells around a block, to measure the effect of its far boundary
     sides : of y = 0 that are meshed, see `fembearing.mesh.pair.pair_mesh`; "mean": where they differ, compliance and
-        gap are the mean of those of a quarter with each true side, which is that of half of the contact to 0.0015 %
-        (validation/correction/sides.py); the mesh has the side y > 0
+        gap are the mean of those of a quarter with each true side (validation/correction/sides.py), and the mesh has
+        the side y > 0; where cells of either turn inside out under a steep land, both sides are alike
     upper : the condensed ball of this level and ellipse, if it is known; it does not depend on `extended`, nor on the
         side of a quarter
     Raises InputError if the mesh cannot be made, ConvergenceError if the contact does not converge.
@@ -125,13 +127,20 @@ def condensed_pair(
     require_elastic(contact)
     alike = recipe.geometry != "real" or is_symmetric(contact) or footprint_of(contact, semi_axes).cut
     quarters: tuple[Sides, ...] = ("above", "below") if sides == "mean" and not alike else (sides,)
-    pairs = [
-        pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended, sides=side)
-        for side in quarters
-    ]
+    meshed = partial(pair_mesh, contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended)
+    has_lands = True
+    try:
+        pairs = [meshed(sides=side) for side in quarters]
+    except InputError:
+        if len(quarters) == 1:
+            raise
+        pairs, has_lands = [meshed(sides="even")], False
     upper, lower = _condensed(contact, pairs, upper)
     pair = replace(pairs[0], gap=np.mean([each.gap for each in pairs], axis=0))
-    return CondensedPair(contact=contact, level=level, pair=pair, upper=upper, lower=lower, mass=_mass_within(pair))
+    mass = _mass_within(pair)
+    return CondensedPair(
+        contact=contact, level=level, pair=pair, upper=upper, lower=lower, mass=mass, has_lands=has_lands
+    )
 
 
 def pressed(bodies: CondensedPair, *, load: float, expected: tuple[float, float]) -> MeshSolution:

@@ -14,10 +14,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.errors import InputError
 from analytic.scene import Contact
 from analytic.words import about
-from fembearing.check.contact.meshed_region import STIFFNESS, Boundary, changes, effects
+from fembearing.check.contact.meshed_region import STIFFNESS, Boundary, changes, effects, lands_of, with_lands
 from fembearing.check.contact.refinement import (
     COMPARED,
     FORMAL_ORDERS,
@@ -53,9 +52,6 @@ LEAST, CURVED, LEFT, NEARER = 2e-4, 1e-3, 0.7, 1.5e-2
 BETWEEN = 1e-4
 # Uncertain share of what a larger block changes in the approach: on the first level, and on the second.
 OF_LARGER, OF_LARGER_ON_SECOND = 0.25, 0.125
-# Where cells of the larger block turn inside out under a steep land, both blocks are without the lands. These change
-# the approach by at most STEEP times the sine of the angle, from 0.14 % on a land of 0.69 rad.
-STEEP = 2.2e-3
 
 
 def solve_reference(contact: Contact, wanted: Wanted) -> Reference:
@@ -130,9 +126,7 @@ class Blocks(NamedTuple):
         compliance = self.block.at(load)
         block, larger = (vars(press_pair(each, load=load).quantities) for each in (compliance, self.larger.at(load)))
         found = effects(changes(block, larger), growth=growth(compliance, recipe), left=self.left)
-        for name, power in (("approach", 1.0), ("stiffness", STIFFNESS)):
-            found[name] = replace(found[name], domain=math.hypot(found[name].domain, power * self.lands))
-        return found
+        return with_lands(found, self.lands)
 
 
 def growth(compliance: PairCompliance, recipe: Recipe) -> float:
@@ -150,16 +144,14 @@ def blocks_of(own: OnLevel, *, recipe: Recipe, left: float) -> Blocks:
     contacts, axes = [each.contact for each in own.bodies], [each.pair.semi_axes for each in own.bodies]
     level = own.bodies[0].level
 
-    def other(*, extended: bool, sides: Sides) -> ComplianceOverLoad:
-        return on_level(
-            contacts, axes, recipe=recipe, level=level, extended=extended, sides=sides, known=own
-        ).compliance
+    def other(*, extended: bool, sides: Sides) -> OnLevel:
+        return on_level(contacts, axes, recipe=recipe, level=level, extended=extended, sides=sides, known=own)
 
-    try:
-        return Blocks(own.compliance, other(extended=True, sides="mean"), 0.0, left)
-    except InputError:
-        lands = STEEP * abs(math.sin(contacts[0].contact_angle))
-        return Blocks(other(extended=False, sides="even"), other(extended=True, sides="even"), lands, left)
+    block, larger = own, other(extended=True, sides="mean")
+    if all(each.has_lands for each in (*block.bodies, *larger.bodies)):
+        return Blocks(block.compliance, larger.compliance, 0.0, left)
+    block, larger = (other(extended=extended, sides="even") for extended in (False, True))
+    return Blocks(block.compliance, larger.compliance, lands_of(contacts[0]), left)
 
 
 def estimates_of_pair(

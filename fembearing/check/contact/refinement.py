@@ -1,6 +1,6 @@
 """The finite-element reference of a contact on plain levels: three or more, which are extrapolated.
 
-They take the idealisation, a sheet, which bends, and a contact that ends at its shoulder or near to it.
+They take the idealisation, a sheet, which bends, and a contact that ends at its shoulder or within 5 % of it.
 """
 
 from collections.abc import Sequence

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from analytic.scene import Contact
-from fembearing.check.contact.meshed_region import FADING, LEFT_BY_MESHES, UNCERTAIN, boundary_effect
+from fembearing.check.contact.meshed_region import FADING, LEFT_BY_MESHES, UNCERTAIN, boundary_effect, lands_of
 from fembearing.check.contact.reference import LEAST, OF_LARGER, blocks_of, on_level, solve_reference
 from fembearing.check.contact.refinement import Wanted
 from fembearing.fem.guess import expected_semi_axes
@@ -148,3 +148,16 @@ def test_at_forty_degrees_the_approach_has_its_lands_up_to_the_larger_block(pair
     lands = changes[1] / changes[0]
     assert abs(lands - 1) > 2e-4  # they count
     assert abs(approaches[1] / approaches[0] * lands - 1 - found.beyond) < found.domain < 1e-3
+
+
+def test_without_a_land_that_is_too_steep_the_approach_is_less_certain() -> None:
+    """A land 0.45 rad beyond a large contact at 40 degrees: cells under it turn inside out."""
+    contact, recipe = steep("inner", size=0.36), load_recipe("race")
+    axes = expected_semi_axes(contact, geometry="real")
+    assert not solve_on_mesh(contact, recipe=recipe, level=1, semi_axes=axes, extended=True).bodies.has_lands
+    found = solve_reference(contact, Wanted(recipe, accuracy=0.02)).estimates
+    even = solve_reference(replace(contact, contact_angle=0.0), Wanted(recipe, accuracy=0.02)).estimates
+    assert found["approach"].domain >= lands_of(contact) > 1e-3
+    assert found["peak_pressure"].domain < 1e-3
+    for name in ("approach", "peak_pressure"):  # the lands are all that differs
+        assert abs(found[name].value / even[name].value - 1) < found[name].total + 1e-3, name
