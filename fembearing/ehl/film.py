@@ -44,11 +44,6 @@ class NumericalFilm:
         """Of all grids."""
         return self.grid_seconds[-1]
 
-    @property
-    def disagreement(self) -> float:
-        """F3 over F1, less 1: they are equal without error of the grids."""
-        return self.dissipated_force.value / self.rolling_force.value - 1
-
 
 def numerical_films(contact: LubricatedContact, *, refinement: float = USUAL) -> Iterator[NumericalFilm]:
     """Solve a contact on three grids and extrapolate; then with one finer grid each, as far as Newton's method settles.

@@ -12,7 +12,7 @@ has the coverage on other contacts.
 import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import Any
+from functools import partial
 
 from analytic.rows import NotNegative
 from analytic.scene import Contact
@@ -54,12 +54,13 @@ def far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, Boundary]:
     """
     if not has_boundary(mesh, recipe=recipe):
         return dict.fromkeys(measured(mesh), Boundary())
-    larger = solve_on_mesh(extended=True, upper=mesh.upper, **_meshed(mesh, recipe))
+    place = {"recipe": recipe, "level": mesh.level, "semi_axes": mesh.pair.semi_axes, "upper": mesh.upper}
+    solved = partial(solve_on_mesh, mesh.contact, **place)
+    larger = solved(extended=True)
     if mesh.bodies.has_lands and larger.bodies.has_lands:
         return boundary_effect(mesh, larger)
-    even = solve_on_mesh(sides="even", upper=mesh.upper, **_meshed(mesh, recipe))
-    larger = solve_on_mesh(sides="even", extended=True, upper=mesh.upper, **_meshed(mesh, recipe))
-    return with_lands(boundary_effect(even, larger), lands_of(mesh.contact))
+    even = boundary_effect(solved(sides="even"), solved(sides="even", extended=True))
+    return with_lands(even, lands_of(mesh.contact))
 
 
 def lands_of(contact: Contact) -> float:
@@ -74,10 +75,6 @@ def with_lands(found: dict[str, Boundary], lands: float) -> dict[str, Boundary]:
         name: replace(part, domain=math.hypot(part.domain, powers.get(name, 0.0) * lands))
         for name, part in found.items()
     }
-
-
-def _meshed(mesh: MeshSolution, recipe: Recipe) -> dict[str, Any]:
-    return {"contact": mesh.contact, "recipe": recipe, "level": mesh.level, "semi_axes": mesh.pair.semi_axes}
 
 
 def has_boundary(mesh: MeshSolution, *, recipe: Recipe) -> bool:
