@@ -154,6 +154,13 @@ def blocks_of(own: OnLevel, *, recipe: Recipe, left: float) -> Blocks:
     return Blocks(block.compliance, larger.compliance, lands_of(contacts[0]), left)
 
 
+def region_of(blocks: Blocks, levels: Sequence[OnLevel], *, load: float, recipe: Recipe) -> dict[str, Boundary]:
+    """The effect of the far boundary, less certain where one of the levels is without a steep land."""
+    found = blocks.effect(load, recipe)
+    bodies = [each for level in levels for each in level.bodies]
+    return found if all(each.has_lands for each in bodies) else with_lands(found, lands_of(bodies[0].contact))
+
+
 def estimates_of_pair(
     solved: Sequence[PixelSolution], region: dict[str, Boundary], *, recipe: Recipe, between: float = 0.0
 ) -> Estimates:
@@ -199,7 +206,7 @@ def solve_by_pair(contact: Contact, wanted: Wanted) -> Reference | None:
     levels: list[OnLevel] = []
     solved: list[PixelSolution] = []
     meshes: list[MeshSolution] = []
-    region: dict[str, Boundary] = {}
+    blocks: Blocks | None = None
     estimates: Estimates = {}
     semi_axes = expected_semi_axes(contact, geometry="real")
     for number, level in enumerate(recipe.levels):
@@ -216,12 +223,13 @@ def solve_by_pair(contact: Contact, wanted: Wanted) -> Reference | None:
         meshes.append(replace(mesh, seconds=time.perf_counter() - begun))
         if number == 0:
             continue
-        if number == 1:
-            region = blocks_of(levels[0], recipe=recipe, left=OF_LARGER).effect(load, recipe)
+        blocks = blocks or blocks_of(levels[0], recipe=recipe, left=OF_LARGER)
+        region = region_of(blocks, levels, load=load, recipe=recipe)
         estimates = estimates_of_pair(solved, region, recipe=recipe)
         rough = any(estimates[name].total > wanted.accuracy for name in wanted.quantities)
         if number == 1 and (rough or wanted.leaves_undecided(contact, estimates)):
-            region = blocks_of(levels[1], recipe=recipe, left=OF_LARGER_ON_SECOND).effect(load, recipe)
+            blocks = blocks_of(levels[1], recipe=recipe, left=OF_LARGER_ON_SECOND)
+            region = region_of(blocks, levels, load=load, recipe=recipe)
             estimates = estimates_of_pair(solved, region, recipe=recipe)
         if wanted.is_met(mesh, estimates):
             break
@@ -244,7 +252,7 @@ class PairSeries:
         """
         solved = [press_pair(each.compliance.at(load), load=load) for each in self.levels]
         between = 0.0 if load in self.sampled else BETWEEN
-        region = self.blocks.effect(load, self.recipe)
+        region = region_of(self.blocks, self.levels, load=load, recipe=self.recipe)
         return solved[-1], estimates_of_pair(solved, region, recipe=self.recipe, between=between)
 
 
