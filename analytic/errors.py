@@ -10,6 +10,7 @@ from analytic.given import has_unit, why_no_unit
 # Modules that not every installation has: the package of each, and the extra of fembearing that has it.
 BROUGHT_BY = {
     "skfem": ("scikit-fem", ""),
+    "threadpoolctl": ("threadpoolctl", ""),
     **{name: (name, "") for name in ("jinja2", "matplotlib", "meshio", "pyvista")},
     **{name: (name, "sweep") for name in ("dask", "distributed", "netCDF4", "pandas", "xarray")},
     "nicegui": ("nicegui", "app"),

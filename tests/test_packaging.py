@@ -35,8 +35,7 @@ def test_the_torque_alone_needs_a_part_of_the_dependencies() -> None:
     assert torque < set(PROJECT["dependencies"])
     packages = {package for package, installed_by in BROUGHT_BY.values() if not installed_by}
     left_out = {Requirement(line).name for line in set(PROJECT["dependencies"]) - torque}
-    # SciPy can replace the one, and the other limits the threads of the contacts alone
-    assert left_out == packages | {"py-mkl-pardiso", "threadpoolctl"}
+    assert left_out == packages | {"py-mkl-pardiso"}  # which SciPy can replace
 
 
 def test_an_error_names_the_extra_that_has_the_package() -> None:

@@ -71,7 +71,8 @@ class Answer(NamedTuple):
 
 
 SWEEP = 'sweep needs {}: pip install "fembearing[sweep]"'
-SOLVER, PICTURES = "{} needs scikit-fem: pip install fembearing", "--out {!r} needs matplotlib: pip install fembearing"
+THREADS, SOLVER = "{} needs threadpoolctl: pip install fembearing", "{} needs scikit-fem: pip install fembearing"
+PICTURES = "--out {!r} needs matplotlib: pip install fembearing"
 REFUSED = {  # by installation: what lacks a package, with what it says
     "plain": {
         "sweep ../grid.toml --out new": SWEEP.format("dask"),
@@ -82,10 +83,10 @@ REFUSED = {  # by installation: what lacks a package, with what it says
     },
     "netCDF4": {"sweep ../grid.toml --out new": SWEEP.format("netCDF4")},
     "torque": {
-        "validate 6205-dry --out new": SOLVER.format("validate"),
-        "contact 6205-dry --pair inner": SOLVER.format("contact"),
+        "validate 6205-dry --out new": THREADS.format("validate"),
+        "contact 6205-dry --pair inner": THREADS.format("contact"),
         "contact 6205-dry --mesh new": SOLVER.format("contact"),
-        "import fembearing; fembearing.validate": SOLVER.format("fembearing.validate"),
+        "import fembearing; fembearing.validate": THREADS.format("fembearing.validate"),
         "torque 6205-dry --out new": PICTURES.format("new"),
         "torque 6205-dry --out new.html": PICTURES.format("new.html"),
     },
