@@ -4,9 +4,10 @@ A pipe may never end and a device has no size; both are refused before a byte is
 is taken.
 """
 
+import codecs
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from stat import S_ISREG
 from typing import BinaryIO
 
@@ -14,6 +15,7 @@ from analytic.errors import InputError
 
 MILLION = 1_000_000
 AT_ONCE = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)  # does not wait for a pipe's writer
+MARKS = {codecs.BOM_UTF8: "utf-8-sig", codecs.BOM_UTF16_LE: "utf-16", codecs.BOM_UTF16_BE: "utf-16"}
 NO_LINK = getattr(os, "O_NOFOLLOW", 0)
 
 
@@ -47,6 +49,22 @@ def content_of(path: str | os.PathLike[str], *, most: int, remedy: str, linked: 
             return file.read(min(most, os.fstat(file.fileno()).st_size + 1))
         except OSError as problem:  # of the disk
             raise InputError(f"cannot be read: {problem.strerror}; {remedy}") from problem
+
+
+def text_of(content: bytes) -> str:
+    """The text of a file as spreadsheets and instruments save it.
+
+    UTF-8 and UTF-16, each with its byte order mark or without; else the bytes are Windows' western set, or Latin-1.
+    """
+    for mark, encoding in MARKS.items():
+        if content.startswith(mark):
+            return content.decode(encoding, "replace")
+    if 0 in content[:2]:  # half of the bytes of UTF-16 without its mark, where the text begins with a Latin letter
+        return content.decode("utf-16-be" if content[0] == 0 else "utf-16-le", "replace")
+    for encoding in ("utf-8", "cp1252"):
+        with suppress(UnicodeDecodeError):
+            return content.decode(encoding)
+    return content.decode("latin-1")
 
 
 def require_regular(path: str | os.PathLike[str], *, most: int, remedy: str) -> None:
