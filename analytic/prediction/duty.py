@@ -166,7 +166,7 @@ def cycle_with_torques(found: SceneByTemperature, cycle: Cycle) -> tuple[DutyCyc
         **_of_cycle(steps, computed),
         worst_step=int(np.argmax(computed.torque)),
         steady=steady,
-        warnings=computed.warnings,
+        warnings=(*cycle.warnings, *computed.warnings),
         seconds=perf_counter() - begun,
     )
     return result, computed.results
