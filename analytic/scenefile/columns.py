@@ -20,7 +20,7 @@ import numpy as np
 
 from analytic.declared import nothing, read_only
 from analytic.errors import InputError
-from analytic.quantity import NUMBER, Dimension
+from analytic.quantity import LONGEST, NUMBER, Dimension
 from analytic.scene import Array, Lubricant, MeasuredTorque, Operation, Scene
 from analytic.scenefile.keys import Values, scene_key
 from analytic.scenefile.oil import lubricant_of
@@ -35,6 +35,7 @@ COMMANDS = {  # by the column that a kind of file must have
 }
 OTHER_OPERATION = {part.name for part in fields(Operation)} - {*OPERATING}
 LIKENESS = 0.75  # of a word to the one that is probably meant
+MOST_NAMES = 8  # of columns in a message
 SHORTEST = 4  # letters of a word that is cut short, as "temp"
 HEAD = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\))?")  # a name and its unit
 PERCENT = ("%", "percent")
@@ -142,16 +143,24 @@ class Columns:
                 example = self.head(each.name) + (" or [%]" if each.name in self.shares else "")
                 raise ValueError(f"column {each.name} [{plain(each.unit)}] {fault}; write for example {example}")
         sign = decimal_sign((_at(line, each) for line in lines for each in numbers), sheet.separator)
+        under, least = {each.place for each in every}, 1 + max(each.place for each in columns)
+        may_split = sheet.separator == "," and sign == "."
+        split = [(left, right) for left in numbers for right in others if may_split and right.place == left.place + 1]
         rows = []
         for row, line in enumerate(lines, start=1):
             place = f"row {row} (line {line.number})"
-            _require_no_more(place, line, every, is_ragged=sheet.separator == "," and bool(others), size=len(heads))
-            if sheet.separator == "," and sign == ".":
-                _require_no_commas(place, line, numbers, others)
+            count = len(line.cells)
+            stray = any(cell != "" and number not in under for number, cell in enumerate(line.cells))
+            # A decimal comma between commas makes a row longer, or the next cells those of other columns.
+            if stray or (sheet.separator == "," and not least <= count <= len(heads)):
+                words = f"{place} has {count} value{'' if count == 1 else 's'}, and there are {len(every)} columns"
+                raise ValueError(f"{words}; give one for each, with decimal points in place of commas")
+            for left, right in split:
+                _require_no_comma(place, line, left, right)
             rows.append((place, [self._cell(place, each, _at(line, each), sign) for each in columns]))
-        names = [plain(each.head) for each in others]
-        which = f"column {names[0]} is" if len(names) == 1 else f"columns {', '.join(names)} are"
-        return Rows(columns, rows, (f"{file}: the {which} not read",) if names else ())
+        names = ", ".join(plain(each.head) for each in others[:MOST_NAMES])
+        more = f" and {len(others) - MOST_NAMES} more" if len(others) > MOST_NAMES else ""
+        return Rows(columns, rows, (f"{file}: columns that are not read: {names}{more}",) if others else ())
 
     def _column(self, place: int, head: str) -> Column:
         """The column under a head."""
@@ -191,7 +200,7 @@ class Columns:
         of = f"column {shown(column.head)} is not known"
         if column.name in OTHER_OPERATION:
             raise ValueError(f"{of}; give one operation.{column.name} in the scene, and leave the column out")
-        words = re.findall(r"[^\W_]+", column.name)
+        words = re.findall(r"[^\W_]+", column.name[:LONGEST])
         for name in [*get_close_matches(column.name, absent, n=1, cutoff=LIKENESS), *absent]:
             parts = name.split("_")
             begun = [part for part in parts for word in words if len(word) >= SHORTEST and part.startswith(word)]
@@ -263,27 +272,12 @@ def _at(line: Line, column: Column) -> Cell:
     return line.cells[column.place] if column.place < len(line.cells) else ""
 
 
-def _require_no_more(place: str, line: Line, columns: Sequence[Column], *, is_ragged: bool, size: int) -> None:
-    """Raise ValueError for a row with values under no head; is_ragged : also for one that is longer than the heads."""
-    under = {each.place for each in columns}
-    stray = any(cell != "" and number not in under for number, cell in enumerate(line.cells))
-    if stray or (is_ragged and len(line.cells) > size):
-        raise ValueError(
-            f"{place} has {len(line.cells)} values, and there are {len(columns)} columns; write decimal points, not "
-            "commas, and a head above each column"
-        )
-
-
-def _require_no_commas(place: str, line: Line, numbers: Sequence[Column], others: Sequence[Column]) -> None:
-    """Raise ValueError for a whole number before one in a column that is not read: "35,1" may be a decimal."""
-    for left in numbers:
-        for right in others:
-            whole, rest = _at(line, left), _at(line, right)
-            if right.place == left.place + 1 and re.fullmatch(r"[+-]?\d+ \d+", f"{whole} {rest}", re.ASCII):
-                raise ValueError(
-                    f"{place}: {left.name} = {whole},{rest} may be one number; write {whole}.0 if it is not, or leave "
-                    f"the column {plain(right.head)} out"
-                )
+def _require_no_comma(place: str, line: Line, left: Column, right: Column) -> None:
+    """Raise ValueError for two whole numbers, the right one in a column that is not read: "35,1" may be one number."""
+    whole, rest = _at(line, left), _at(line, right)
+    if re.fullmatch(r"[+-]?\d+ \d+", f"{whole} {rest}", re.ASCII):
+        words = f"{place}: {left.name} = {whole},{rest} may be one number; write {whole}.0 if it is not"
+        raise ValueError(f"{words}, or leave the column {plain(right.head)} out")
 
 
 def operating_points(scene: Scene, file: str, columns: Mapping[str, Array | None], rows: int) -> dict[str, Array]:

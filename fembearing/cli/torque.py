@@ -70,7 +70,7 @@ def torque(
     if target is not None and len(asked) > 1:
         from fembearing.report.torque_file import compared_content
 
-        content = compared_content(target)
+        content = compared_content(target, len(asked))
     lost: dict[str, InputError] = {}
 
     @contextmanager
