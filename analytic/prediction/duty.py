@@ -118,8 +118,8 @@ def duty_cycle(
         What `load_scene` reads. What a step does not say is that of the scene; a bearing of the catalog has no usual
         load beside the loads of the steps.
     cycle : str or path
-        CSV or .xlsx file, each column with its unit: duration, and one or more of inner_speed, axial_load, radial_load and
-        temperature (docs/how-to/duty-cycle.md).
+        CSV or .xlsx file, each column with its unit: duration, and one or more of inner_speed, axial_load, radial_load
+        and temperature (docs/how-to/duty-cycle.md).
     **given : float, str, list or mapping
         With a name, the other arguments of `load_scene`, as settings={"lubricant.supply": "grease"}.
 

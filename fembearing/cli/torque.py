@@ -1,5 +1,6 @@
 """`fembearing torque`."""
 
+from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import replace
@@ -63,30 +64,16 @@ def torque(
     assumed and printed. --speed 0rpm gives the starting torque. A list of bearings (.csv, .xlsx) has a column
     designation, and columns as these options, which take their place.
     """
-    from analytic.errors import InputError
-
     asked = _asked(scenes or [BUILTIN], given)
     content = None
     if target is not None and len(asked) > 1:
         from fembearing.report.torque_file import compared_content
 
         content = compared_content(target, len(asked))
-    lost: dict[str, InputError] = {}
-
-    @contextmanager
-    def named(name: str) -> Iterator[None]:
-        """An InputError that arises begins with the place of its scene among several, which may go on without it."""
-        try:
-            yield
-        except InputError as problem:
-            is_named = len(asked) > 1 or asked[name].listed
-            lost[name] = InputError(f"{asked[name].place}: {problem}") if is_named else problem
-            if not keep_going or len(lost) == len(asked):
-                raise lost[name] from problem
-
+    lost: list[InputError] = []
     read: dict[str, Scene] = {}
     for name, one in asked.items():
-        with named(name):
+        with _named(one.place, lost, keep_going=keep_going):
             scene = one.scene()
             read[name] = replace(scene, tolerance=read_tolerance(tolerance, scene))
     count = read_samples(samples, with_interval=with_interval)
@@ -100,7 +87,7 @@ def torque(
     lacking = None
     with talk.progress() as progress, _file_of_all(target if content else None, force=force) as file:
         for number, (name, scene) in enumerate(read.items()):
-            with named(name):
+            with _named(asked[name].place, lost, keep_going=keep_going):
                 results[name], lacking = torque_with_files(
                     scene,
                     out=None if content else target,
@@ -109,6 +96,8 @@ def torque(
                     keep_going=keep_going,
                     progress=part_of(progress, number / len(read), (number + 1) / len(read)),
                 )
+        if not results:
+            raise lost[0]
         if content is not None and file is not None:
             file.write_bytes(content(results))
     if as_json:
@@ -118,24 +107,24 @@ def torque(
         _print(results, talk, details=details)
         if target is not None:
             out.tell(f"{'file' if target.suffix else 'folder'}: {target}")
-    for problem in lost.values():
+    for problem in lost:
         say(f"skipped: {problem}")
     if lacking is not None:
         say(lacking)
-    raise typer.Exit(_status(results.values(), lost.values()))
+    raise typer.Exit(_status(results.values(), lost))
 
 
 class Asked(NamedTuple):
     """A scene that is asked for."""
 
-    place: str  # as messages name it
+    place: str  # as messages begin; "": they need not say it
     name: str
     given: Given
-    listed: bool  # in a list, which has bearings of the catalog alone
+    is_listed: bool = False  # in a list, which has bearings of the catalog alone
 
     def scene(self) -> "Scene":
         """Raises InputError as `Given.scene`."""
-        if self.listed:
+        if self.is_listed:
             from analytic.catalog.bearing_rows import find_bearing
 
             find_bearing(self.name)
@@ -148,19 +137,35 @@ def _asked(names: list[str], given: Given) -> dict[str, Asked]:
     from analytic.scenefile.bearing_list import ENDINGS, read_list
 
     asked: dict[str, Asked] = {}
+    times = Counter[str]()
     for name in names:
         if not name.casefold().endswith(ENDINGS):
             if name in asked:
                 raise InputError(f"the scene {name!r} is given twice: leave one of them out")
-            asked[name] = Asked(name, name, given, listed=False)
+            asked[name] = Asked(name if len(names) > 1 else "", name, given)
             continue
         rows, warnings = read_list(name)
         print_warnings(warnings)
         for designation, place, options in rows:
-            same = sum(each.name == designation for each in asked.values())
+            times[designation] += 1
+            again = f" ({times[designation]})" if times[designation] > 1 or designation in names else ""
             own = replace(given, **(options | given.options))
-            asked[f"{designation} ({same + 1})" if same else designation] = Asked(place, designation, own, listed=True)
+            asked[designation + again] = Asked(place, designation, own, is_listed=True)
     return asked
+
+
+@contextmanager
+def _named(place: str, lost: "list[InputError]", *, keep_going: bool) -> Iterator[None]:
+    """An InputError that arises begins with the place of its scene; where the others go on, it is among the lost."""
+    from analytic.errors import InputError
+
+    try:
+        yield
+    except InputError as problem:
+        named = InputError(f"{place}: {problem}") if place else problem
+        if not keep_going:
+            raise named from problem
+        lost.append(named)
 
 
 def _file_of_all(target: Path | None, *, force: bool) -> AbstractContextManager[Path | None]:
