@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from analytic.errors import InputError
     from analytic.scene import Scene
     from analytic.scene_torque import SceneTorque
+    from fembearing.report.torque_file import ComparedContent
 
 
 Target = Annotated[
@@ -65,17 +66,12 @@ def torque(
     designation, and columns as these options, which take their place.
     """
     asked = _asked(scenes or [BUILTIN], given)
-    content = None
-    if target is not None and len(asked) > 1:
-        from fembearing.report.torque_file import compared_content
-
-        content = compared_content(target, len(asked))
+    content = _content_of_all(target, len(asked))
     lost: list[InputError] = []
     read: dict[str, Scene] = {}
     for name, one in asked.items():
         with _named(one.place, lost, keep_going=keep_going):
-            scene = one.scene()
-            read[name] = replace(scene, tolerance=read_tolerance(tolerance, scene))
+            read[name] = one.scene(tolerance)
     count = read_samples(samples, with_interval=with_interval)
     from analytic.progress import part_of
     from fembearing.cli.console import out, print_json
@@ -122,13 +118,14 @@ class Asked(NamedTuple):
     given: Given
     is_listed: bool = False  # in a list, which has bearings of the catalog alone
 
-    def scene(self) -> "Scene":
-        """Raises InputError as `Given.scene`."""
+    def scene(self, tolerance: str | None) -> "Scene":
+        """With the tolerance of an option. Raises InputError as `Given.scene`."""
         if self.is_listed:
             from analytic.catalog.bearing_rows import find_bearing
 
             find_bearing(self.name)
-        return self.given.scene(self.name)
+        scene = self.given.scene(self.name)
+        return replace(scene, tolerance=read_tolerance(tolerance, scene))
 
 
 def _asked(names: list[str], given: Given) -> dict[str, Asked]:
@@ -166,6 +163,15 @@ def _named(place: str, lost: "list[InputError]", *, keep_going: bool) -> Iterato
         if not keep_going:
             raise named from problem
         lost.append(named)
+
+
+def _content_of_all(target: Path | None, count: int) -> "ComparedContent | None":
+    """What a file for several scenes holds; None for one scene, or without a file. Raises InputError as that."""
+    if target is None or count == 1:
+        return None
+    from fembearing.report.torque_file import compared_content
+
+    return compared_content(target, count)
 
 
 def _file_of_all(target: Path | None, *, force: bool) -> AbstractContextManager[Path | None]:
