@@ -132,9 +132,9 @@ class Columns:
             )
         (_, heads), *lines = sheet.lines
         every = [self._column(place, str(head)) for place, head in enumerate(heads) if head != ""]
+        if lines and (with_units := self._with_units(every, lines[0])):
+            every, lines = with_units, lines[1:]
         columns, others = self._sorted(every)
-        if lines and (with_units := self._with_units(columns, lines[0].cells)):
-            columns, lines = with_units, lines[1:]
         if not lines:
             raise ValueError(f"has a line of column heads and no row below it; give a line for each {self.row}")
         numbers = [each for each in columns if self.known[each.name] is not None]
@@ -198,28 +198,24 @@ class Columns:
     def _require_further(self, column: Column, absent: Sequence[str]) -> None:
         """Raise ValueError for an unknown column that may be meant for one that is absent, or for another load."""
         of = f"column {shown(column.head)} is not known"
-        if column.name in OTHER_OPERATION:
+        if column.name in OTHER_OPERATION and self.required not in absent:
             raise ValueError(f"{of}; give one operation.{column.name} in the scene, and leave the column out")
         words = re.findall(r"[^\W_]+", column.name[:LONGEST])
-        for name in [*get_close_matches(column.name, absent, n=1, cutoff=LIKENESS), *absent]:
-            parts = name.split("_")
+        for name in absent:
+            parts = [name, *name.split("_")]
             begun = [part for part in parts for word in words if len(word) >= SHORTEST and part.startswith(word)]
-            if begun or any(get_close_matches(word, parts, cutoff=LIKENESS) for word in words):
+            if begun or any(get_close_matches(word, parts, cutoff=LIKENESS) for word in [column.name, *words]):
                 raise ValueError(f"{of}; did you mean {self.head(name)}? Else leave the column out")
         fitting = [name for name in absent if self._unit_fault(column._replace(name=name)) is None]
         if fitting:
             meant = " or ".join(map(self.head, fitting))
             raise ValueError(f"{of}, and its unit fits {meant}; name it so, or leave the column out")
 
-    def _with_units(self, columns: Sequence[Column], cells: Sequence[Cell]) -> list[Column] | None:
+    def _with_units(self, columns: Sequence[Column], line: Line) -> list[Column] | None:
         """The columns with their units from a row of these; None for another row."""
-        lacking = [each for each in columns if self.known[each.name] is not None and not each.unit]
-        given = {
-            each: each._replace(unit=str(cell).strip("[]() ")) for each in lacking for cell in cells[each.place :][:1]
-        }
-        if not lacking or len(given) < len(lacking) or any(map(self._unit_fault, given.values())):
-            return None
-        return [given.get(each, each) for each in columns]
+        found = [each if each.unit else each._replace(unit=str(_at(line, each)).strip("[]() ")) for each in columns]
+        lacking = [new for old, new in zip(columns, found, strict=True) if not old.unit and self.known.get(old.name)]
+        return found if lacking and not any(map(self._unit_fault, lacking)) else None
 
     def _dimension(self, column: Column) -> Dimension | None:
         is_share = column.name in self.shares and column.unit in PERCENT
@@ -253,6 +249,8 @@ class Columns:
         """A cell in SI. Raises ValueError."""
         dimension, text = self._dimension(column), written(cell)
         assert dimension is not None, column
+        if column.unit == "%":
+            text = text.removesuffix("%").rstrip()
         if not re.fullmatch(NUMBER, text, re.ASCII):
             what = "is empty" if not text else f"= {shown(text)} is no number"
             raise ValueError(f"{place}: {column.name} {what}; give a number in {column.unit}, or leave the row out")

@@ -98,8 +98,8 @@ def _of_workbook(content: bytes) -> Iterator[Line]:
             book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True, keep_links=False)
             sheet = book.worksheets[0]
             sheet.reset_dimensions()  # some programs write wrong ones
-            for number, row in enumerate(sheet.iter_rows(max_col=MOST_COLUMNS + 1, values_only=True), start=1):
-                cells = [_cell(value) for value in row]
+            for number, row in enumerate(sheet.iter_rows(max_col=MOST_COLUMNS + 1), start=1):
+                cells = [_cell(each.value, each.number_format) for each in row]
                 while cells and cells[-1] == "":
                     cells.pop()
                 if not ASIDE.match(str(next((cell for cell in cells if cell != ""), ""))):
@@ -109,9 +109,9 @@ def _of_workbook(content: bytes) -> Iterator[Line]:
         raise ValueError(f"is no .xlsx that can be read: {reason}; save its table alone, as .xlsx or CSV") from problem
 
 
-def _cell(value: object) -> Cell:
+def _cell(value: object, form: str | None) -> Cell:
     if isinstance(value, int | float) and not isinstance(value, bool):
-        return value
+        return f"{100 * value:.14e}%" if form and "%" in form else value  # as it is shown
     return "" if value is None else " ".join(str(value).split())
 
 

@@ -60,6 +60,9 @@ def test_columns_are_read_in_si_in_any_order_and_unit(tmp_path: Path) -> None:
     ("text", "words"),
     [
         ("sped [rpm],torque [N mm]\n60,5", ("'sped [rpm]' is not known", "did you mean inner_speed [rpm]?")),
+        ("innerspeed,radial_load [N],torque [N mm]\n60,3,5", ("'innerspeed' is not known", "did you mean inner_speed")),
+        ("speed,T,torque\n[rpm],[C],[N mm]\n60,70,5", ("'T' is not known, and its unit fits temperature [degC]",)),
+        ("speed [rpm],Moment [N mm]\n60,5", ("'Moment [N mm]' is not known, and its unit fits torque [N mm]",)),
         (f"{HEAD},temp\n60,5,70", ("'temp' is not known", "did you mean temperature [degC]?", "leave the column out")),
         (
             f"{HEAD},Fr [kN]\n60,5,70",

@@ -47,6 +47,7 @@ def workbook(rows: Sequence[Sequence[object]]) -> bytes:
 
 HEADS = ("Date", "Speed [rpm]", "radial load [kN]", "Temperature (\u00b0C)", "torque (Nm)", "comment")
 ROWS = ((500, 0.5, 62.5, 8.11e-3), (1500, 0.5, 64, 14.125e-3))
+SHARES = ("speed [rpm]", "torque [Nmm]", "uncertainty [%]")
 BOOK = workbook([["# rig 2"], [], HEADS, *([date(2024, 3, 12), *row, None] for row in ROWS)])
 
 
@@ -70,6 +71,17 @@ def test_a_table_has_the_same_numbers_in_every_dialect(tmp_path: Path, content: 
         np.testing.assert_allclose(getattr(found, name), getattr(plain, name), rtol=3e-16)
     said = [warning for name in others for warning in found.warnings if name in warning]
     assert (len({*said}), len(said), len(found.warnings)) == (bool(others), len(others), bool(others))
+
+
+def test_a_cell_in_per_cent_is_read_as_it_is_shown(tmp_path: Path) -> None:
+    book, content = openpyxl.load_workbook(io.BytesIO(workbook([SHARES, (500, 35, 0.12125)]))), io.BytesIO()
+    book.worksheets[0]["C2"].number_format = "0.0%"
+    book.save(content)
+    for file, text in (("a", content.getvalue()), ("b", (";".join(SHARES) + "\n500;35;12,125 %\n3;7,5;2").encode())):
+        (tmp_path / file).write_bytes(text)
+        uncertainty = read_measured(tmp_path / file).uncertainty
+        assert uncertainty is not None
+        assert uncertainty[0] == pytest.approx(0.12125 * 0.035, rel=1e-15)
 
 
 DIALECTS = [
