@@ -9,8 +9,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from analytic.progress import Progress
 from analytic.scene import Array
-from fembearing.formats.torque_map import TorqueMap
+from analytic.scenefile.read import SceneByTemperature
+from fembearing.formats.axes import Axes
+from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
 
 MOST = 1000  # points at which an error is measured
 SEED = 1  # of the choice of so many
@@ -39,7 +42,15 @@ def _weights(nodes: Array, at: Array) -> Array:
     return weights
 
 
-def table_error(found: TorqueMap) -> float:
+def table_of_motion(given: SceneByTemperature, axes: Axes, progress: Progress) -> tuple[TorqueMap, str]:
+    """The torque from standstill on, and how far straight lines in its table are off, in words."""
+    found = mapped_torque(given, from_standstill(axes), progress=progress)
+    progress(0.8, "error of the table")
+    error = 100 * _largest_error(found)
+    return found, f"straight lines between the nodes differ from the computed torque by up to {error:.2g} %"
+
+
+def _largest_error(found: TorqueMap) -> float:
     """The largest error of the interpolated torque over the torque itself, in the middle of the cells of the table.
 
     Of more than MOST cells so many are chosen at random. On each axis the error of a straight line is largest near the
