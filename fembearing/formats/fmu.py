@@ -125,7 +125,7 @@ def _description(found: TorqueMap, guid: str, error: str) -> bytes:
     """modelDescription.xml."""
     words = (
         f"Friction torque of {found.scene.bearing.name} by fembearing: {axes_in_words(found.axes)}; {error}. At speed "
-        "0 the torque is that at which the bearing begins to turn. Beyond the table that at its end holds."
+        "0 the torque is that at which the bearing begins to turn. Beyond the table the torque at its end holds."
     )
     root = Element(
         "fmiModelDescription",
@@ -157,15 +157,16 @@ def _description(found: TorqueMap, guid: str, error: str) -> bytes:
         _add_variable(variables, name, kind, {"unit": UNITS[name]} | start, MEANINGS[name])
     for name, (unit_name, meaning) in OUTPUTS.items():
         _add_variable(variables, name, ("continuous", "output"), {"unit": unit_name}, meaning)
-    numbers = "; ".join(f"{number}: {words}" for number, words in enumerate(_beyond(found.axes).values(), start=1))
-    meaning = f"0: every input lies in the table; else the first one beyond it. {numbers}"
+    left = [f"{number}: {words}" for number, words in enumerate(_beyond(found.axes).values(), start=1)]
+    inputs = [place for place, values in enumerate(found.axes.values()) if values.size > 1]
+    meaning = "; ".join(["0: every input lies in the table", *(left[place] for place in inputs)])
     _add_variable(variables, "outside", ("discrete", "output"), None, meaning)
     structure, count = SubElement(root, "ModelStructure"), len(found.axes)
-    inputs = " ".join(str(1 + place) for place, values in enumerate(found.axes.values()) if values.size > 1)
+    known = " ".join(str(1 + place) for place in inputs)
     for part in ("Outputs", "InitialUnknowns"):
         unknowns = SubElement(structure, part)
         for place in range(len(OUTPUTS) + 1):
-            SubElement(unknowns, "Unknown", index=str(1 + count + place), dependencies=inputs)
+            SubElement(unknowns, "Unknown", index=str(1 + count + place), dependencies=known)
     ElementTree.indent(root)
     return ElementTree.tostring(root, "utf-8", xml_declaration=True)
 
