@@ -31,7 +31,7 @@ def export(
 
     csv, netcdf: maps with 95 % interval. modelica, simscape: friction over speed. fmu: a unit of FMI 2.0 (needs a C
     compiler). ross: stiffness over speed. Loads and temperature are one value or a range;
-    without --speed the table goes from 0 to twice the speed of the scene.
+    without --speed the table goes from 0 to the usual limit of n d_m, or to a faster speed of the scene.
     """
     from analytic.scenefile.find import find_scene
     from fembearing.cli.console import out
