@@ -60,10 +60,13 @@ static fmi2Status refuse(Unit *unit, const char *words, double value) { return t
 static double held(int axis, double x)
 {
     const double *nodes = NODES;
+    double last;
     int i;
     for (i = 0; i < axis; i++)
         nodes += COUNTS[i];
-    return fmin(fmax(axis == 0 ? fabs(x) : x, nodes[0]), nodes[COUNTS[axis] - 1]);
+    last = nodes[COUNTS[axis] - 1];
+    x = axis == 0 ? fabs(x) : x;
+    return x < nodes[0] ? nodes[0] : x > last ? last : x;
 }
 
 static int is_outside(int axis, double x) { return held(axis, x) != (axis == 0 ? fabs(x) : x); }
