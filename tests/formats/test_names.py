@@ -19,6 +19,7 @@ WRONG: dict[FormatName, str] = {
 
 @pytest.mark.parametrize("to", WRONG)
 def test_a_name_that_cannot_be_read_is_refused_with_one_that_can(to: FormatName, tmp_path: Path) -> None:
+    message = ""
     for name in WRONG[to].split():
         message = message_of(lambda name=name: export("6206", to=to, out=tmp_path / name, over=OVER))
         assert name in message

@@ -2,6 +2,7 @@
 
 import runpy
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -26,27 +27,19 @@ def scene() -> Scene:
     return load_scene("7206B", axial_load="700 N", radial_load="300 N", speed="3000 rpm")
 
 
-class Element2(dict):
-    """As BearingElement of ROSS 2: `frequency` is the shaft's speed."""
-
-    def __init__(self, *, frequency: list[float], **given: Any) -> None:
-        super().__init__(given, of_shaft=frequency)
-
-
-class Element3(dict):
-    """As that of ROSS 3: `frequency` is that of the whirl."""
-
-    def __init__(self, *, speed: list[float] | None = None, frequency: list[float] | None = None, **given: Any) -> None:
-        super().__init__(given, of_shaft=speed, of_whirl=frequency)
+ELEMENTS: dict[int, Callable[..., dict[str, Any]]] = {  # of ROSS 2 and 3: the speed of the shaft by its argument
+    2: lambda frequency=None, **given: {**given, "of_shaft": frequency},
+    3: lambda speed=None, frequency=None, **given: {**given, "of_shaft": speed, "of_whirl": frequency},
+}
 
 
-@pytest.mark.parametrize("element_class", [Element2, Element3])
+@pytest.mark.parametrize("version", ELEMENTS)
 def test_the_stiffness_is_the_slope_of_the_load(
-    element_class: type, scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    version: int, scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Against differences of the ring's place, at 3600 rpm, along the axis and along the radial load."""
     file = export(scene, to="ross", out=tmp_path / "bearing.py", over=OVER).file
-    monkeypatch.setitem(sys.modules, "ross", SimpleNamespace(BearingElement=element_class))
+    monkeypatch.setitem(sys.modules, "ross", SimpleNamespace(BearingElement=ELEMENTS[version]))
     element = runpy.run_path(str(file))["bearing"](n=3)
     assert (element["n"], element["cxx"]) == (3, 0.0)
     np.testing.assert_allclose(element["of_shaft"], np.linspace(0, 9000, 6) * np.pi / 30)
@@ -88,7 +81,7 @@ def test_a_rotor_of_ross_runs_on_it(scene: Scene, tmp_path: Path) -> None:
 def test_the_name_of_a_bearing_is_never_code(scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     named = replace(scene, bearing=replace(scene.bearing, name="""a'''; 1 / 0; "\""; 1 / 0; \\N"""))
     file = export(named, to="ross", out=tmp_path / "bearing.py", over=OVER).file
-    monkeypatch.setitem(sys.modules, "ross", SimpleNamespace(BearingElement=Element3))
+    monkeypatch.setitem(sys.modules, "ross", SimpleNamespace(BearingElement=ELEMENTS[3]))
     assert len(runpy.run_path(str(file))["SPEED"]) == 6
 
 
