@@ -31,9 +31,6 @@ def with_bearing(line: str) -> str:
 
 
 SLIPS = [  # of people: text, and words of the message
-    (changed('"700 N"', "700"), ("operation.axial_load = 700", "no unit", '"1 kN"')),
-    (changed('"700 N"', '"700"'), ("operation.axial_load = '700'", "unit is missing", '"1 kN"')),
-    (changed('"700 N"', '"700 newtonn"'), ("operation.axial_load", "'newtonn'", '"1 kN"')),
     (changed('"700 N"', '"1.200,7 N"'), ("operation.axial_load = '1.200,7 N'", "decimal point")),
     (changed('"700 N"', '"2,500 N"'), ("operation.axial_load = '2,500 N'", "ambiguous", "write 2500 N or 2.5 N")),
     (changed('"700 N"', '"700 N"\ndown = [1, inf, 0]'), ("operation.down", "is no direction", "[1, 0, 0]")),

@@ -47,7 +47,6 @@ from tests.report.figures.figure_reader import area_of, bars_of, line_of, points
 from tests.report.figures.intervals import INTERVAL
 from tests.report.specimens import TWO
 
-RPM = 30 / np.pi
 TESTED_APART = {"cost_figures", "sensitivity_plot"}  # in files of their own
 PARTS = {  # what is called a figure but is a part of one
     "panel_of",
