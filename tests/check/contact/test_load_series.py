@@ -13,8 +13,7 @@ from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.load_series import LoadPoint, LoadSeries, StiffnessLaw, compare_series, solve_load_series
 from fembearing.check.contact.reference import solve_reference
 from fembearing.check.contact.refinement import FORMAL_ORDERS, Wanted
-from fembearing.check.contact.solution import ContactSolution, solve_contact
-from fembearing.grid_convergence import CAUTIOUS, LEAST
+from fembearing.check.contact.solution import solve_contact
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 from tests.analytic.specimens import present
 
@@ -141,47 +140,6 @@ def test_a_pocket_has_a_series_too(geometry: Geometry) -> None:
     else:
         assert 1.5 < series.law.exponent < 1.5 + 2 * uncertain
         assert series.verdict == "pass"
-
-
-def test_one_load_has_no_law_and_repeated_loads_count_once(
-    contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
-) -> None:
-    recipe = shallow("hertzian")
-    alone = compare_series(contacts["inner"], recipe=recipe, loads=[372.0], tolerance=0.05)
-    assert alone.law is None
-    assert alone.points[0].tangent is None
-    assert "two loads" not in " ".join(alone.warnings)
-    assert abs(alone.points[0].approach.difference) < uncertainty(alone.points[0]) < 2e-3  # on its own mesh
-    pair = compare_series(contacts["inner"], recipe=recipe, loads=[650.0, 140.0], tolerance=0.05)
-    again = compare_series(contacts["inner"], recipe=recipe, loads=[140.0, 650.0, 140.0, 650.0], tolerance=0.05)
-    assert pair.law is not None
-    assert pair.law == again.law
-    assert pair.law.exponent_uncertainty is None
-    assert "two loads fit any power law" in " ".join(pair.warnings)
-    assert pair.law.stiffness_uncertainty is None
-    assert [point.tangent_uncertainty for point in pair.points] == [None, None]
-    assert [point.load for point in again.points] == [140.0, 650.0, 140.0, 650.0]
-
-
-@pytest.mark.nightly
-def test_a_load_over_the_shoulder_is_as_uncertain_as_a_single_one_and_not_judged(
-    cut_contact: ContactSolution, shallow: Callable[[str], Recipe]
-) -> None:
-    """There no order is assumed: three times the last change, without extrapolation. A smaller load is not cut off."""
-    contact = cut_contact.contact  # at 372 N; an ellipse of 235 N ends at its shoulder
-    series = compare_series(contact, recipe=shallow("race"), loads=[372.0, 185.0], tolerance=0.05)
-    assert [point.approach.verdict for point in series.points] == ["outside validity", "pass"]
-    assert "from 372 N on the contact reaches its shoulder" in " ".join(series.warnings)
-    over, below = (present(point.approach.study) for point in series.points)
-    coarse, fine = over.values
-    assert over.richardson is None
-    assert below.richardson is not None
-    assert over.limit == fine
-    assert over.mesh >= CAUTIOUS * abs(1 - coarse / fine) + LEAST
-    assert over.mesh > 3 * below.mesh
-    alone = cut_contact.numbers.estimates["approach"]
-    assert over.total == pytest.approx(alone.total, rel=0.25)  # meshes of a slightly different ellipse
-    assert abs(over.value / alone.value - 1) < min(over.total, alone.total)
 
 
 @pytest.mark.parametrize(

@@ -64,21 +64,6 @@ def test_between_its_loads_it_agrees_with_a_compliance_sampled_there(
         assert getattr(found.quantities, name) == pytest.approx(getattr(direct.quantities, name), rel=BETWEEN), name
 
 
-@pytest.mark.nightly
-@pytest.mark.parametrize("load", [131.0, 400.0])
-def test_it_agrees_with_meshes_of_that_load(series: tuple[Contact, PairSeries], load: float) -> None:
-    """With far boundary and sides, on levels to 3, within both uncertainties; those of the series are below 0.1 %.
-
-    The stiffness, load over the 1.5th power of the approach, has 1.5 times the uncertainty of the approach.
-    """
-    contact, over_load = series
-    _, estimates = over_load.under(load)
-    single = solve_reference(replace(contact, load=load), Wanted(RECIPE, accuracy=5e-4))
-    for name, part in single.estimates.items():
-        assert abs(estimates[name].value / part.value - 1) < estimates[name].total + part.total, name
-        assert estimates[name].total < 1e-3 * (STIFFNESS if name == "stiffness" else 1), name
-
-
 def test_the_far_boundary_grows_with_the_block_of_each_load(contacts: dict[str, Contact]) -> None:
     """The radius of the ring limits the larger block of the heavier load alone."""
     contact = replace(
