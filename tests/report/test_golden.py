@@ -12,13 +12,11 @@ from html.parser import HTMLParser
 from io import StringIO
 from itertools import zip_longest
 from pathlib import Path
-from typing import Any
 
 import pytest
 from rich.console import Console
 
-from analytic.scene_torque import SceneTorque, torque_of_scene
-from analytic.scenefile.read import load_scene
+from analytic.scene_torque import SceneTorque
 from analytic.units import INCH_POUND
 from fembearing.check.contact.load_series import PocketLaw
 from fembearing.check.validation import Validation
@@ -37,29 +35,23 @@ from fembearing.report.sections.torque import torque_sections
 from fembearing.report.sections.validation import detail_sections
 from fembearing.report.terminal import print_sections
 from fembearing.report.torque_file import torque_content
-from tests.report.specimens import ABSENT, CONTACT, CREEP, FILM, LAW, STRESS, TWO, cycle, moved, series, step
+from tests.report.specimens import (
+    ABSENT,
+    CONTACT,
+    CREEP,
+    FILM,
+    LAW,
+    SCENES,
+    STRESS,
+    TWO,
+    cycle,
+    moved,
+    series,
+    step,
+    torque_of,
+)
 
 GOLDEN = Path(__file__).parent / "golden"
-RIG = str(Path(__file__).parents[2] / "validation/scenes/thrust_rig_3mm.toml")
-SCENES: dict[str, tuple[str, dict[str, Any], dict[str, Any]]] = {  # name, what is given, and how it is computed
-    "dry": ("6205-dry", {}, {}),
-    "paper": ("paper_6205", {"settings": {"report.units": "inch", "effects.cage_dynamics": "off"}}, {}),
-    "radial": ("6206", {"radial_load": "2 kN", "speed": "1500 rpm"}, {"samples": 128}),
-    "sealed": ("6204-2RS", {"radial_load": "300 N", "speed": "5000 rpm", "supply": "grease"}, {}),
-    "pair": (
-        "7014C",
-        {"speed": "12000 rpm", "supply": "grease", "axial_load": "400 N"}
-        | {"settings": {"arrangement.kind": "O", "arrangement.preload": "300 N"}},
-        {},
-    ),
-    "thrust": (RIG, {"axial_load": "9 N", "speed": "500 rpm"}, {}),
-    "tilted": ("6309", {"radial_load": "3 kN", "speed": "2900 rpm", "settings": {"operation.moment": "20 N m"}}, {}),
-    "series": (
-        "7206B",
-        {"axial_load": ["100 N", "900 N", "200 kN"], "radial_load": "500 N", "speed": "3000 rpm"},
-        {"keep_going": True},
-    ),
-}
 CAGES = {3: moved(), 4: moved("grip_share", "grip_number", "race_excess"), 5: moved("start", "interval", "other")}
 POCKET = PocketLaw(stiffness=62.7e9, stiffness_uncertainty=0.031, sheet=93.1e6, sheet_uncertainty=None)
 MADE = {
@@ -77,8 +69,7 @@ NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?!\w)")
 
 @pytest.fixture(scope="module", params=SCENES)
 def result(request: pytest.FixtureRequest) -> tuple[str, SceneTorque]:
-    name, given, how = SCENES[request.param]
-    return request.param, torque_of_scene(load_scene(name, **given), **how)
+    return request.param, torque_of(request.param)
 
 
 def test_the_terminal_says(result: tuple[str, SceneTorque], pytestconfig: pytest.Config) -> None:
