@@ -22,7 +22,6 @@ from fembearing.mesh.recipe import load_recipe
 from tests import contacts
 from tests.contacts import NITRIDE, STEEL
 
-RUBBER = replace(STEEL, name="rubber", youngs_modulus=2.9e9, poisson_ratio=0.4999)
 INNER = replace(contacts.INNER, rolling_radius=15.85e-3, shoulder=2.6e-3, contact_angle=0.18, load=620.63)
 SIDES = pytest.mark.parametrize("side", ["upper", "lower"])
 
