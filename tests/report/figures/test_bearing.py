@@ -355,3 +355,14 @@ def test_more_balls_than_are_drawn_are_refused() -> None:
     scene = load_scene("6205")
     with pytest.raises(InputError, match=r"6205: .*at most 500 balls"):
         draw_bearing(replace(scene, bearing=replace(scene.bearing, ball_count=501)))
+
+
+def test_a_clearance_that_can_be_seen_is_not_called_too_small() -> None:
+    scene = load_scene("6205")
+    bearing, ball = scene.bearing, scene.bearing.ball_diameter
+    for share, small in ((0.019, True), (0.021, False)):
+        outer = bearing.inner.bottom_radius + ball + share * ball / 2
+        wide = replace(bearing, outer=replace(bearing.outer, bottom_radius=outer))
+        texts = [text.get_text() for text in draw_bearing(replace(scene, bearing=wide)).axes[0].texts]
+        (words,) = (each for each in texts if each.startswith("radial clearance"))
+        assert ("too small to see" in words) == small

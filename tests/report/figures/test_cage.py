@@ -5,6 +5,8 @@ from types import SimpleNamespace
 from typing import cast
 
 import numpy as np
+import pytest
+from matplotlib.patches import Rectangle
 from matplotlib.text import Annotation
 
 from analytic.units import METRIC
@@ -104,3 +106,40 @@ def test_an_arrow_shows_where_gravity_pulls(record: CageRecord) -> None:
             ends = np.array([arrow.xy, arrow.xyann])
             assert np.all((ends > 0) & (ends < 1))  # inside the panel
             assert np.linalg.norm(way) < 0.2
+
+
+def test_the_axis_of_forces_reaches_below_the_least_of_them(record: CageRecord) -> None:
+    """Half of the least force above 0, as long as that is no tiny share of the largest ones."""
+    motion = motion_of(record)
+    largest = np.linspace(0.4, 1.9, len(motion.forces.time))
+    largest[5] = 0.0
+    forces = replace(motion.forces, largest=tuple(largest), sum=tuple(1.3 * largest))
+    known = replace(motion, forces=forces, max_force=2.7)
+    panel = orbit_figure(known, METRIC).axes[1]
+    assert panel.get_ylim()[0] == pytest.approx(0.4 / 2, rel=1e-12)  # round-off
+    assert panel.get_ylim()[1] > 1.3 * 1.9
+    largest[7] = 1e-5
+    tiny = replace(known, forces=replace(forces, largest=tuple(largest)))
+    low = orbit_figure(tiny, METRIC).axes[1].get_ylim()[0]
+    assert low == pytest.approx(2.7e-3, rel=1e-12)  # a thousandth of the median of the blocks
+
+
+def test_forces_over_a_wide_range_have_a_logarithmic_scale(record: CageRecord) -> None:
+    motion = motion_of(record)
+    for most, scale in ((1.5, "linear"), (30.0, "log")):
+        force = tuple(np.linspace(1.0, most, 50).tolist())
+        share = tuple((np.arange(50, 0, -1) / 50).tolist())
+        excess = replace(motion.exceedance, force=force, share=share)
+        known = replace(
+            motion, exceedance=excess, block_maxima=(1.1, 1.3), max_force=1.2, max_force_interval=(1.1, 1.3)
+        )
+        panel = orbit_figure(known, METRIC).axes[2]
+        assert panel.get_xscale() == scale
+        low, high = panel.get_xlim()
+        assert low < 1.1
+        assert high > most
+        assert panel.get_ylim()[1] > 100
+        (band,) = (patch for patch in panel.patches if isinstance(patch, Rectangle))
+        assert (band.get_x(), band.get_x() + band.get_width()) == pytest.approx((1.1, 1.3), rel=1e-12)
+        instants = points_of(line_of(panel, "instants of this motion"))
+        np.testing.assert_allclose(instants, np.column_stack([force, 100 * np.array(share)]), rtol=1e-12)

@@ -144,3 +144,10 @@ def test_a_change_of_less_than_a_millionth_is_named_alone(document: Report) -> N
         names = [text.get_text().partition(",")[0] for text in present(figure).axes[0].get_yticklabels()]
         assert ("still" in names) == drawn
         assert ("Changes below 1e-4 %: still." in caption) != drawn
+
+
+def test_a_radial_load_stands_with_its_point(inputs: list[dict[str, Any]]) -> None:
+    point = {"quantity": "total_torque", "pair": None, "inner_speed": 31.0, "axial_load": 0.0, "moment": 0.0}
+    outputs = [point | {"radial_load": 1500.0, "value": 21.5e-3}, point | {"radial_load": 2500.0, "value": 33e-3}]
+    figure, _ = sensitivity_plot(document_of(outputs, inputs))
+    assert "0 N axial, 1500 N radial:\n21.5 N mm" in present(figure).axes[0].get_title()

@@ -103,3 +103,13 @@ def test_lines_are_over_the_longest_axis_where_none_has_three_numbers() -> None:
         (panel,) = map_figure(made(**axes), "torque_total").axes
         assert [text.get_text() for text in panel.get_xticklabels()] == ["a", "b", "c", "d"]
         assert [line.get_label() for line in panel.lines] == ["pair inner", "pair outer"]
+
+
+def test_too_many_lines_are_thinned_evenly_with_both_ends() -> None:
+    for count, names in ((8, range(8)), (9, (0, 1, 2, 3, 5, 6, 7, 8)), (15, range(0, 15, 2))):
+        dataset = made(name=[f"B{number}" for number in range(count)], load=[1.0, 2.0, 3.0])
+        (panel,) = map_figure(dataset, "torque_total").axes
+        assert [line.get_label() for line in panel.lines] == [f"name B{number}" for number in names]
+    assert panel.get_legend() is not None
+    (alone,) = map_figure(made(load=[1.0, 2.0, 3.0]), "torque_total").axes
+    assert alone.get_legend() is None
