@@ -24,7 +24,7 @@ from fembearing.report.torque import content_of
 from fembearing.report.torque_file import torque_content
 from tests.analytic.specimens import present
 from tests.report.page.page_writer import written_page
-from tests.report.specimens import torque_of
+from tests.report.specimens import SCENES, torque_of
 
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", "oil", "declared")
 RACES = ("inner", "outer")
@@ -38,6 +38,35 @@ def test_every_face_of_a_torque_has_the_same_numbers(made: Validation, name: str
     for face in (json_agrees, csv_agrees, frame_agrees, terminal_agrees):
         face(result)
     page_agrees(checked_with(made, result))
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_the_json_has_every_part_of_a_torque(name: str) -> None:
+    result = torque_of(name)
+    friction, content = result.friction, document("torque", content_of(result))
+    places = [number for number, point in enumerate(content["points"]) if point["torque_total"] is not None]
+    assert places == list(result.places.computed)
+    assert content["left_out"] == plain(result.places.left_out)
+    assert content["standing"]["word"] == result.standing.word
+    assert content["makers"]["torque"] == {each: plain(values) for each, values in result.makers.items()}
+    assert [each["decision"] for each in content["effects"]] == [each.decision for each in friction.effects]
+    assert [each["key"] for each in content["inputs"]] == [each.key for each in result.inputs]
+    ring, cage, pair, prediction = friction.ring, friction.cage, friction.pair, result.prediction
+    told = {
+        "ring": ring and [content["ring"][n]["displacement"]["axial"] for n in places],
+        "cage": cage and [content["cage"][n]["mean_force"] for n in places],
+        "pair": pair and [content["pair"]["points"][n]["torque_second"] for n in places],
+        "prediction": prediction and [content["prediction"]["points"][n]["total_low"] for n in places],
+    }
+    known = {
+        "ring": ring and plain(ring.displacement[:, 0]),
+        "cage": cage and plain(cage.mean_force),
+        "pair": pair and plain(pair.total[1]),
+        "prediction": prediction and plain(prediction.total.low),
+    }
+    assert told == known
+    assert all((content[part] is None) == (values is None) for part, values in known.items())
+    assert not pair or content["pair"]["at_standstill"]["preload"] == pair.equilibrium.preload
 
 
 def checked_with(made: Validation, result: SceneTorque) -> Validation:
