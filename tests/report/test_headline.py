@@ -33,17 +33,6 @@ def lines_of(result: SceneTorque) -> list[str]:
     return out.getvalue().splitlines()
 
 
-def test_it_has_torque_interval_power_and_verdict(result: SceneTorque) -> None:
-    lines, total = lines_of(result), float(result.friction.torque.total[0])
-    assert lines[0].startswith("6206, radial 2000 N, 1500 rpm, ISO VG 46")  # a load of 0 is no word
-    low, high = (1e3 * float(end) for (end,) in present(result.interval))
-    row = lines[3].split()
-    assert row[:5] == ["1", "1500", f"{1e3 * total:.4g}", f"{low:.3g}-{high:.3g}", f"{total * 50 * np.pi:.3g}"]
-    assert lines[-1].startswith(f"{result.standing.word}: ")
-    assert max(map(len, lines)) <= 80
-    assert len(lines) <= 12
-
-
 def test_the_interval_may_come_later(result: SceneTorque) -> None:
     without = torque_of_scene(result.scene, estimate=False)
     assert without.interval is None
