@@ -200,12 +200,6 @@ def test_a_name_with_an_extension_is_a_file_and_no_bearing(name: str) -> None:
     assert load_scene("6205.C3").bearing.series == "62"
 
 
-def test_a_designation_without_quotes_is_refused() -> None:
-    """From Python, where 6206 is a number."""
-    with pytest.raises(InputError, match='write it in quotes: "6206"'):
-        load_scene(6206)  # type: ignore[arg-type]
-
-
 def test_a_file_with_a_byte_order_mark_is_read(tmp_path: Path) -> None:
     (tmp_path / "scene.toml").write_bytes(b"\xef\xbb\xbf" + PLAIN.encode())
     assert load_scene(str(tmp_path / "scene.toml")).name == "a series"
