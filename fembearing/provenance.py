@@ -27,22 +27,6 @@ PACKAGES = (
     "netCDF4",
 )
 
-# Keys whose values may differ between two runs of one scene with the same seeds; the rest of the JSON is the same.
-TIMES = (
-    "seconds",
-    "production_seconds",
-    "evaluation_seconds",
-    "spread",
-    "warm_up",
-    "predicted",
-    "price",
-    "chosen",
-    "choices",
-)  # and choices that depend on them
-MEMORY = ("memory", "peak_memory")
-ORIGIN = ("date", "command", "python", "platform", "processor", "cores", "versions")
-VARYING = frozenset((*TIMES, *MEMORY, *ORIGIN))
-
 
 @dataclass(frozen=True, kw_only=True)
 class Provenance:
@@ -83,13 +67,6 @@ def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingP
         cores=os.cpu_count(),
         versions={package: _version(package) for package in PACKAGES},
     )
-
-
-def repeatable(content: Any) -> Any:
-    """The JSON of a result without the values that may differ in another run."""
-    if isinstance(content, dict):
-        return {key: repeatable(value) for key, value in content.items() if key not in VARYING}
-    return [repeatable(value) for value in content] if isinstance(content, list) else content
 
 
 def _version(package: str) -> str | None:
