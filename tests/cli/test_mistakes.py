@@ -21,7 +21,7 @@ GRID = 'scene = "6206"\n[axes]\noperation.radial_load = ["300 N", "500 N"]\n'
 # A command line, another text of the file in it, and words that the line on standard error has. "s.toml" is the usual
 # scene, "g.toml" a grid, "d.csv" has measured torques. The scene's own slips are in tests/analytic/scenefile.
 CASES: tuple[tuple[str, str | None, tuple[str, ...]], ...] = (
-    ("torque s.toml", USUAL.replace(RADIAL, "560 N"), ("not TOML", 'in quotes: "560 N"')),
+    ("torque s.toml", USUAL.replace(RADIAL, "560 N"), ("not TOML", 'write radial_load = "560 N"')),
     ("torque 6206 --radial-load 500", None, ("operation.radial_load = 500 has no unit",)),
     ("film 6206 --load 2,500N", None, ("--load = '2,500N' is ambiguous",)),
     ("torque 6206 --tolerance 5", None, ("--tolerance = 5 is out of range", '"5 %"')),
