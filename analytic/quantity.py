@@ -160,7 +160,8 @@ class Dimension:
         if not isfinite(value):
             raise ValueError(f"is not finite; {self.accepted}")
         if not self.low <= value <= self.high:
-            raise ValueError(f"is out of range, {self.span}; {self.accepted}")
+            limit = f"least {self.written(self.low)}" if value < self.low else f"most {self.written(self.high)}"
+            raise ValueError(f"must be at {limit} {self.shown_unit}".rstrip() + f"; {self.accepted}")
         return value
 
     def tidy(self, given: str) -> str:

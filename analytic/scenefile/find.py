@@ -133,7 +133,7 @@ def _statement(lines: list[str], at: int) -> str:
 def _repaired(statement: str) -> str:
     """The statement in TOML; empty where no repair is known. A repair counts if the parser comes further with it."""
     reached = _reach(statement)
-    for written, meant in REPAIRS if len(statement) <= LONGEST_LINE else ():
+    for written, meant in 2 * REPAIRS if len(statement) <= LONGEST_LINE else ():
         if reached == WHOLE:
             break
         tried = written.sub(lambda found: found["string"] or found.expand(meant), statement)  # noqa: B023 - at once
