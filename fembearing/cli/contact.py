@@ -11,6 +11,7 @@ from fembearing.cli.options import (
     AsJson,
     GeometryName,
     Given,
+    Output,
     PairName,
     SceneName,
     Talk,
@@ -57,6 +58,7 @@ Meshes = Annotated[
 
 def contact(
     given: Given,
+    output: Output,
     talk: Talk,
     scene: SceneName = None,
     pair: Annotated[PairName, typer.Option(help="Contact of the ball.")] = "inner",
@@ -77,8 +79,9 @@ def contact(
     from analytic.errors import InputError
 
     if mesh is not None:
-        if accuracy is not None:
-            raise InputError(f"--tolerance {accuracy!r} does not go with --mesh, which solves nothing: leave it out")
+        for option, asked in (("--tolerance", accuracy), ("--out", output.folder)):
+            if asked is not None:
+                raise InputError(f"{option} {str(asked)!r} does not go with --mesh, which solves nothing: leave it out")
         if len(loads) > 1:
             raise InputError(f"--mesh takes one --load, and there are {len(loads)}: give one")
         meshes = _write_meshes(read, mesh, pair=pair, geometry=geometry, load=loads[0] if loads else None, level=level)
@@ -86,12 +89,16 @@ def contact(
         return
     if level is not None:
         raise InputError(f"--level {level} goes with --mesh; --tolerance decides on the meshes of a solution")
-    with talk.progress() as progress:
+    from fembearing.plain_types import json_of
+    from fembearing.report.files import contact_files, write_all
+
+    with talk.progress() as progress, output.opened() as place:
         settings: dict[str, Any] = {"pair": pair, "accuracy": limit, "geometry": geometry, "progress": progress}
         if len(loads) > 1:
             from fembearing.check.contact.load_series import solve_load_series
 
-            show = partial(_show_series, solve_load_series(read, loads=loads, **settings), read, talk)
+            series = solve_load_series(read, loads=loads, **settings)
+            files, show = {"contact.json": json_of("load series", series)}, partial(_show_series, series, read, talk)
         else:
             from fembearing.check.contact.solution import solve_contact
             from fembearing.check.contact.subsurface import compare_subsurface
@@ -102,7 +109,10 @@ def contact(
                 below = compare_subsurface(result)
             except InputError as problem:  # a contact cut off at a shoulder: everything else is known
                 result = result.with_numbers(warnings=(*result.numbers.warnings, str(problem)))
+            files = {} if place is None else contact_files(result, below, accuracy=limit)
             show = partial(_show_contact, result, below, limit, read, talk)
+        if place is not None:
+            write_all(files, place)
     uncertainties = show(as_json=as_json)
     worst = max(uncertainties, key=lambda name: uncertainties[name])
     raise typer.Exit(reached(limit, worst, uncertainties[worst]))

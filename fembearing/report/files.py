@@ -11,6 +11,8 @@ from analytic.scene import Scene
 from analytic.standing import WorstStanding
 from analytic.units import SYSTEMS
 from analytic.writing import write
+from fembearing.check.contact.solution import ContactSolution
+from fembearing.check.contact.subsurface import SubsurfaceComparison
 from fembearing.check.cost.scene_cost import Cost
 from fembearing.check.creep.scene_creep import SceneCreep
 from fembearing.check.film.scene_film import RaceFilm
@@ -20,6 +22,20 @@ from fembearing.plain_types import json_of
 from fembearing.provenance import provenance_of
 
 OF_STEP = ("duration", *COORDINATES, "temperature", "torque", "torque_low", "torque_high", "power", "energy")
+
+
+def contact_files(
+    contact: ContactSolution, below: SubsurfaceComparison | None, *, accuracy: float
+) -> dict[str, str | bytes]:
+    """contact.json with the caption of the picture, and contact.png; below : the stress under it, if it is known"""
+    from fembearing.check.contact.figure import CAPTION
+    from fembearing.report.figures.style import png
+
+    picture = {"file": "contact.png", "caption": CAPTION}
+    return {
+        "contact.png": png(contact.plot()),
+        "contact.json": json_of("contact", contact.numbers, accuracy=accuracy, subsurface=below, picture=picture),
+    }
 
 
 def film_files(film: RaceFilm) -> dict[str, str | bytes]:

@@ -171,7 +171,7 @@ def test_a_process_that_is_asked_to_end_cleans_up(tmp_path: Path, number: signal
 def test_a_warning_of_a_library_is_shown_to_who_asks_python_for_it(tmp_path: Path, options: str, shown: bool) -> None:
     warn = (
         "import warnings; from fembearing.cli.boundary import guarded\n"
-        "guarded(lambda: warnings.warn('header'), examples={})"
+        "guarded(lambda: warnings.warn('header'))"
     )
     done = in_shell(f'"{sys.executable}" {options} -c "{warn}"', cwd=tmp_path, PYTHONWARNINGS="")
     assert done.returncode == 0
