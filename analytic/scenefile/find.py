@@ -61,6 +61,7 @@ REPAIRS = tuple(
 )  # fmt: skip
 LONGEST_LINE = 200  # characters of a statement that is repaired
 WHOLE = (inf, 1.0)  # nothing stops the parser
+WRITES = "fembearing init 6206 writes a scene file"
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts. The memory of the TOML parser grows with the square of the number of parts.
 LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){16}""", re.ASCII)
@@ -178,9 +179,9 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> FoundS
         raise InputError(
             f'{shown(name)} is not the name of a bearing or a file, nor a Scene; give one, for example "6206"'
         )
+    require_no_data(name)
     given = os.fspath(name)
     path, builtin = folder / given, catalog.names("scenes")
-    known = f"built in: {', '.join(builtin)}"
     if given in builtin and not os.path.isfile(path):
         path = catalog.path("scenes", given)
     elif not os.path.isfile(path) and _may_be_a_bearing(given):
@@ -190,10 +191,16 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> FoundS
             )
         except InputError as problem:
             if os.path.basename(given) == given or (not path.parent.is_dir() and begins_as_number(given)):
-                raise InputError(f"{problem} (no scene file has this name either, nor a scene {known})") from None
-    text = read_text(path, kind="scene", remedy=f"give the path of a scene file ({known}), or a bearing as 6206")
+                raise InputError(f"{problem}. No scene file has this name either; {WRITES}") from None
+    text = read_text(path, kind="scene", remedy=f"give the path of a scene file, or a bearing as 6206; {WRITES}")
     origin = plain(os.fspath(path))
     return FoundScene(document=parse_text(text, origin=origin), origin=origin, folder=path.parent)
+
+
+def require_no_data(name: object) -> None:
+    """Raise InputError for a CSV file in the place of a scene."""
+    if isinstance(name, str | os.PathLike) and os.fspath(name).lower().endswith(".csv"):
+        raise InputError(f"{plain(os.fspath(name))} is no scene; give the scene first, as 6206, then the CSV file")
 
 
 def _may_be_a_bearing(name: str) -> bool:

@@ -15,6 +15,7 @@ from fembearing.cli.options import (
     PairName,
     SceneName,
     Talk,
+    Tolerance,
     read_load,
     read_tolerance,
     require_folder_name,
@@ -42,14 +43,6 @@ Geometry = Annotated[
         "pocket on its rim; ring: true shapes, and the ring on a rigid seat as a separate part."
     ),
 ]
-Accuracy = Annotated[
-    str | None,
-    typer.Option(
-        "--tolerance",
-        help='Required accuracy of the finite elements, for example "0.1 %" (default: from the scene). The limit for '
-        "Hertz is always the tolerance of the scene.",
-    ),
-]
 Meshes = Annotated[
     Path | None,
     typer.Option("--mesh", help="Folder for the meshes of ball and race (.vtu), which are written, and not solved."),
@@ -64,22 +57,23 @@ def contact(
     pair: Annotated[PairName, typer.Option(help="Contact of the ball.")] = "inner",
     load: Loads = None,
     geometry: Geometry = "real",
-    accuracy: Accuracy = None,
+    tolerance: Tolerance = None,
     mesh: Meshes = None,
     level: Annotated[int | None, typer.Option(help="Level of the mesh with --mesh (default: the finest).")] = None,
     as_json: AsJson = False,
 ) -> None:
     """Solve one contact by finite elements and compare Hertz with it. Several --load give the stiffness law.
 
-    Exit status 0: required accuracy reached, for any verdict on Hertz; 2: input error; 3: accuracy not reached.
+    The accuracy is that of the finite elements; the limit for Hertz is always the tolerance of the scene. Exit status
+    0: required accuracy reached, for any verdict on Hertz; 2: input error; 3: accuracy not reached.
     """
     read = given.scene(scene)
-    limit = read_tolerance(accuracy, read)
+    limit = read_tolerance(tolerance, read)
     loads = [force for text in load or () if (force := read_load(text)) is not None]
     from analytic.errors import InputError
 
     if mesh is not None:
-        for option, asked in (("--tolerance", accuracy), ("--out", output.folder)):
+        for option, asked in (("--tolerance", tolerance), ("--out", output.folder)):
             if asked is not None:
                 raise InputError(f"{option} {str(asked)!r} does not go with --mesh, which solves nothing: leave it out")
         if len(loads) > 1:
@@ -90,7 +84,7 @@ def contact(
     if level is not None:
         raise InputError(f"--level {level} goes with --mesh; --tolerance decides on the meshes of a solution")
     from fembearing.plain_types import json_of
-    from fembearing.report.files import contact_files, write_all
+    from fembearing.report.files import solution_files, write_all
 
     with talk.progress() as progress, output.opened() as place:
         settings: dict[str, Any] = {"pair": pair, "accuracy": limit, "geometry": geometry, "progress": progress}
@@ -109,7 +103,7 @@ def contact(
                 below = compare_subsurface(result)
             except InputError as problem:  # a contact cut off at a shoulder: everything else is known
                 result = result.with_numbers(warnings=(*result.numbers.warnings, str(problem)))
-            files = {} if place is None else contact_files(result, below, accuracy=limit)
+            files = {} if place is None else solution_files(result, accuracy=limit, subsurface=below)
             show = partial(_show_contact, result, below, limit, read, talk)
         if place is not None:
             write_all(files, place)

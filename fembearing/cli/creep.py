@@ -11,16 +11,13 @@ from fembearing.cli.options import (
     Output,
     SceneName,
     Talk,
+    Tolerance,
     read_load,
     read_option,
     read_tolerance,
 )
 from fembearing.cli.status import reached
 
-Tolerance = Annotated[
-    str | None,
-    typer.Option(help='Required accuracy of the torque by sliding, for example "1 %" (default: from the scene).'),
-]
 Load = Annotated[
     str | None,
     typer.Option(help='Load of the heaviest ball, for example "620 N"; scales all loads (default: from the scene).'),
@@ -43,8 +40,8 @@ def creep(
 ) -> None:
     """Solve stick and slip of a ball on both races and compare the formulas for spin, conformity and creep.
 
-    Exit status 0: required accuracy reached, for any difference of the formulas; 2: input error; 3: accuracy not
-    reached.
+    The accuracy is that of the torque by sliding. Exit status 0: required accuracy reached, for any difference of the
+    formulas; 2: input error; 3: accuracy not reached.
     """
     read = given.scene(scene)
     limit = read_tolerance(tolerance, read)

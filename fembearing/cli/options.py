@@ -271,15 +271,6 @@ def require_folder_name(folder: Path | None, *, option: str) -> None:
         )
 
 
-def require_scene_first(command: str, scene: str, data: str | None) -> None:
-    """Raises InputError for a CSV file in the place of the scene."""
-    if scene.casefold().endswith(".csv"):
-        from analytic.errors import InputError
-
-        order = f"fembearing {command} {data or 'SCENE'} {scene}"
-        raise InputError(f"{scene!r} is no scene; give the scene first: {order}")
-
-
 def read_tolerance(given: str | None, scene: "Scene") -> float:
     """The tolerance of an option, or the scene's."""
     return scene.tolerance if given is None else read_option("--tolerance", given, "tolerance")

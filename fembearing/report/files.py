@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -12,7 +13,6 @@ from analytic.standing import WorstStanding
 from analytic.units import SYSTEMS
 from analytic.writing import write
 from fembearing.check.contact.solution import ContactSolution
-from fembearing.check.contact.subsurface import SubsurfaceComparison
 from fembearing.check.cost.scene_cost import Cost
 from fembearing.check.creep.scene_creep import SceneCreep
 from fembearing.check.film.scene_film import RaceFilm
@@ -24,27 +24,16 @@ from fembearing.provenance import provenance_of
 OF_STEP = ("duration", *COORDINATES, "temperature", "torque", "torque_low", "torque_high", "power", "energy")
 
 
-def contact_files(
-    contact: ContactSolution, below: SubsurfaceComparison | None, *, accuracy: float
-) -> dict[str, str | bytes]:
-    """contact.json with the caption of the picture, and contact.png; below : the stress under it, if it is known"""
-    from fembearing.check.contact.figure import CAPTION
+def solution_files(solution: ContactSolution | RaceFilm, **others: Any) -> dict[str, str | bytes]:
+    """contact.png or film.png, and contact.json or film.json with its caption; others : beside the numbers there"""
+    from fembearing.check.contact import figure as contact  # with matplotlib: only a figure pays for it
+    from fembearing.check.film import figure as film
     from fembearing.report.figures.style import png
 
-    picture = {"file": "contact.png", "caption": CAPTION}
-    return {
-        "contact.png": png(contact.plot()),
-        "contact.json": json_of("contact", contact.numbers, accuracy=accuracy, subsurface=below, picture=picture),
-    }
-
-
-def film_files(film: RaceFilm) -> dict[str, str | bytes]:
-    """film.json with the caption of the picture, and film.png."""
-    from fembearing.check.film.figure import CAPTION
-    from fembearing.report.figures.style import png  # with matplotlib: only a figure pays for it
-
-    picture = {"file": "film.png", "caption": CAPTION}
-    return {"film.png": png(film.plot()), "film.json": json_of("film", film.numbers, picture=picture)}
+    kind, drawn = ("contact", contact) if isinstance(solution, ContactSolution) else ("film", film)
+    picture = {"file": f"{kind}.png", "caption": drawn.CAPTION}
+    numbers = json_of(kind, solution.numbers, picture=picture, **others)
+    return {f"{kind}.png": png(solution.plot()), f"{kind}.json": numbers}
 
 
 def write_creep(creep: SceneCreep, folder: Path) -> str | None:
