@@ -130,6 +130,8 @@ def _named(name: str | None) -> Iterator[None]:
 
 
 def _print(results: "Mapping[str, SceneTorque]", talk: Talk, *, details: bool) -> None:
+    from rich.markup import escape
+
     from analytic.units import SYSTEMS
     from fembearing.cli.console import out, tell_assumed
     from fembearing.report.document import Section
@@ -142,7 +144,9 @@ def _print(results: "Mapping[str, SceneTorque]", talk: Talk, *, details: bool) -
         print_sections(out, [Section("", [side_by_side(results, units)])])
     for name, result in results.items():
         before = f"{name}: " if len(results) > 1 else ""
-        if not before:
+        if before and details:
+            out.rule(escape(name))
+        if details or not before:
             print_sections(out, [headline_section(result)])
         tell_assumed(result.scene.usual, before=before)
         if details:
