@@ -17,7 +17,7 @@ from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.given import has_unit, why_no_unit
 from analytic.quantity import Dimension, Series
-from analytic.words import shown
+from analytic.words import shown, word_like
 
 
 class Kind(Protocol):
@@ -47,9 +47,10 @@ class Word:
 
     def read(self, given: object) -> Any:
         """The word. Raises ValueError for another one."""
-        if not isinstance(given, str) or given not in self.words:
+        word = word_like(given, self.words)
+        if word is None:
             raise ValueError(f"is not a word known here; {self.accepted}")
-        return given
+        return word
 
 
 @dataclass(frozen=True)

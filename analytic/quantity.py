@@ -19,15 +19,17 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.words import word_like
+
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?"
 FACTOR = r"(?:[A-Za-zµμ°Ω][A-Za-z_µμ°Ω]{0,29}|%)(?:(?:\^|\*\*)?-?\d)?"
 UNIT = rf"(?:1? */ *)?{FACTOR}(?: *[*/·] *{FACTOR}| +{FACTOR})*"
 QUANTITY = re.compile(rf" *({NUMBER}) *({UNIT}|\") *", re.ASCII)
 LONGEST = 80  # characters; limits the time of a match
-RAISED = {"⁻¹": "^-1", "²": "^2", "³": "^3"}
+RAISED = {"⁻¹": "^-1", "²": "^2", "³": "^3", "º": "°"}
 
 # Units without their spaces, as people write them; pint does not know them or means something else.
-SPELLINGS = {'"': "inch", "kp": "kgf"}
+SPELLINGS = {'"': "inch", "kp": "kgf", "Nm": "N m", "Nmm": "N mm", "kNm": "kN m", "Pas": "Pa s", "mPas": "mPa s"}
 IN_CONTEXT = {  # names in small letters, for keys of each SI unit. "mN" and "MN" differ by their case alone.
     "K": {"c": "degC", "°c": "degC", "degc": "degC", "f": "degF", "°f": "degF", "degf": "degF", "k": "K"},
     "N": {"n": "N", "kn": "kN"},
@@ -44,11 +46,6 @@ MISTAKEN = {
     "kg": ("kgf", "kg is a mass"),
     "lb": ("lbf", "lb is a mass"),
     "lbs": ("lbf", "lbs is a mass"),
-    "Nm": ("N m", "units stand apart"),
-    "Nmm": ("N mm", "units stand apart"),
-    "kNm": ("kN m", "units stand apart"),
-    "Pas": ("Pa s", "units stand apart"),
-    "mPas": ("mPa s", "units stand apart"),
 }
 
 
@@ -316,7 +313,8 @@ class QuantityOrWord(Dimension):
 
     def read(self, given: object) -> Any:
         """The value in SI, or the word. Raises ValueError as `Dimension.read`."""
-        return given if given in self.words else super().read(given)
+        word = word_like(given, self.words)
+        return super().read(given) if word is None else word
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -370,5 +368,5 @@ def range_of(text: str) -> Range | None:
     """The parts of a range; None for another text. Raises ValueError for a range without its number of values."""
     found = RANGE.fullmatch(text)
     if found is None and " to " in text:
-        raise ValueError('is no range; give FIRST to LAST in COUNT, as "0 rpm to 6000 rpm in 15"')
+        raise ValueError(f'is no range; give FIRST to LAST in COUNT, as "{text} in 15"')
     return found and Range(found["first"], found["last"], int(found["count"]), found["log"] is not None)

@@ -180,7 +180,7 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> FoundS
             f'{shown(name)} is not the name of a bearing or a file, nor a Scene; give one, for example "6206"'
         )
     require_no_data(name)
-    given = os.fspath(name)
+    given = os.path.expanduser(os.fspath(name))
     path, builtin = folder / given, catalog.names("scenes")
     if given in builtin and not os.path.isfile(path):
         path = catalog.path("scenes", given)

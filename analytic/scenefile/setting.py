@@ -20,6 +20,7 @@ from analytic.scenefile.keys import scene_key, scene_table
 from analytic.words import plain, shown, speed_of
 
 LIKE_RPM = 100  # rad/s: a whole number from here on is more often one of rpm
+SEVERAL = re.compile(r"(?<=[^\W\d_%])\s*[,;]\s*")  # between quantities of a list
 SETTING = "give KEY=VALUE, for example --set lubricant.supply=grease"
 
 
@@ -112,6 +113,8 @@ def read_setting(path: str, given: Any, *, root: Table | None = None) -> tuple[A
     if key.dimension is None:
         return value, []
     notes: list[str] = []
+    if is_typed and key.in_series and isinstance(value, str) and len(parts := SEVERAL.split(value)) > 1:
+        value = parts
     if is_typed and key.in_series and isinstance(value, str) and " to " in value:
         return _in_range(path, key.dimension, value, notes), notes
     parts = [*value] if isinstance(value, list | tuple) else [value]

@@ -42,7 +42,6 @@ SLIPS = [  # of people: text, and words of the message
     (changed('"700 N"', '["5 N", "6 N", "7 N"]'), ("axial_load has 3", "inner_speed has 2", "equal lengths")),
     (changed('"100 rpm"', '"100 Hz"'), ("inner_speed[0] = '100 Hz'", "Hz may count turns or radians: write rpm")),
     (changed('"700 N"', '"70 kg"'), ("operation.axial_load = '70 kg'", "kg is a mass: write kgf")),
-    (changed('"700 N"', '"700 N"\nmoment = "3 Nmm"'), ("operation.moment = '3 Nmm'", "units stand apart: write N mm")),
     (changed('axial_load = "700 N"', ""), ("operation.axial_load leaves a point without any load", '"1000 N"')),
     (changed('"2 %"', "0x" + "f" * 6000), ("tolerance", "a number of some 7225 digits", "too large")),
     (changed('name = "a series"', ""), ("name is missing", "give a name")),
