@@ -16,8 +16,8 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Protocol, Unio
 from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.given import has_unit, why_no_unit
-from analytic.quantity import Dimension, Series
-from analytic.words import shown, word_like
+from analytic.quantity import Dimension, Series, word_like
+from analytic.words import shown
 
 
 class Kind(Protocol):

@@ -10,6 +10,7 @@ A key says how its unit is read, wherever people write it: "60 C" is 60 degC, "3
 
 import re
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache, lru_cache
@@ -18,8 +19,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-
-from analytic.words import word_like
 
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?"
 FACTOR = r"(?:[A-Za-zµμ°Ω][A-Za-z_µμ°Ω]{0,29}|%)(?:(?:\^|\*\*)?-?\d)?"
@@ -298,6 +297,12 @@ def _registry() -> Any:
     import pint
 
     return pint.UnitRegistry(non_int_type=Decimal)  # pyright: ignore[reportArgumentType]
+
+
+def word_like(given: object, words: Iterable[str]) -> str | None:
+    """The word that is meant, in any case and with blanks or dashes for _; None: none of them."""
+    meant = re.sub(r"[\s_-]+", "_", given.strip()).casefold() if isinstance(given, str) else None
+    return next((word for word in words if word.casefold() == meant), None)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,9 +3,7 @@
 Every message, warning and reason takes its units here. JSON and Python stay in SI.
 """
 
-import re
 import reprlib
-from collections.abc import Iterable
 from math import log10
 from typing import NamedTuple, TypeVar
 
@@ -95,12 +93,6 @@ def shown(value: object) -> str:
     brief.maxstring = brief.maxother = 60
     brief.maxlong, brief.maxlevel, brief.maxlist, brief.maxdict = 40, 2, 3, 3
     return brief.repr(value).replace("\n", " ")  # of an array
-
-
-def word_like(given: object, words: Iterable[str]) -> str | None:
-    """The word that is meant, in any case and with blanks or dashes for _; None: none of them."""
-    meant = re.sub(r"[\s_-]+", "_", given.strip()).casefold() if isinstance(given, str) else None
-    return next((word for word in words if word.casefold() == meant), None)
 
 
 def plain(text: str) -> str:

@@ -184,7 +184,7 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> FoundS
     path, builtin = folder / given, catalog.names("scenes")
     if given in builtin and not os.path.isfile(path):
         path = catalog.path("scenes", given)
-    elif not os.path.isfile(path) and _may_be_a_bearing(given):
+    elif not os.path.isfile(path) and may_be_a_bearing(given):
         try:
             return FoundScene(
                 document={}, origin=f"scene of {given}", folder=folder, bearing=find_bearing(given), designation=given
@@ -203,5 +203,6 @@ def require_no_data(name: object) -> None:
         raise InputError(f"{plain(os.fspath(name))} is no scene; give the scene first, as 6206, then the CSV file")
 
 
-def _may_be_a_bearing(name: str) -> bool:
+def may_be_a_bearing(name: str) -> bool:
+    """Whether a name is none of a file."""
     return 0 < len(name) <= LONGEST_NAME and name.isprintable() and not name.lower().endswith(EXTENSIONS)

@@ -7,14 +7,12 @@ import typer
 from fembearing.cli.options import (
     AsJson,
     Bodies,
-    Given,
+    GivenAccurate,
     Output,
     SceneName,
     Talk,
-    Tolerance,
     read_load,
     read_option,
-    read_tolerance,
 )
 from fembearing.cli.status import reached
 
@@ -28,13 +26,12 @@ Friction = Annotated[
 
 
 def creep(
-    given: Given,
+    given: GivenAccurate,
     output: Output,
     talk: Talk,
     scene: SceneName = None,
     load: Load = None,
     friction: Friction = None,
-    tolerance: Tolerance = None,
     compliance: Bodies = "half-space",
     as_json: AsJson = False,
 ) -> None:
@@ -44,7 +41,6 @@ def creep(
     formulas; 2: input error; 3: accuracy not reached.
     """
     read = given.scene(scene)
-    limit = read_tolerance(tolerance, read)
     coefficient = None if friction is None else read_option("--friction", friction, "friction.coefficient")
     from analytic.units import SYSTEMS
     from fembearing.check.creep.scene_creep import creep_of
@@ -57,9 +53,7 @@ def creep(
 
     trouble = None
     with talk.progress() as progress, output.opened() as place:
-        result = creep_of(
-            read, load=read_load(load), friction=coefficient, tolerance=limit, compliance=compliance, progress=progress
-        )
+        result = creep_of(read, load=read_load(load), friction=coefficient, compliance=compliance, progress=progress)
         if place is not None:
             trouble = write_creep(result, place)
     numbers = result.numbers
@@ -69,4 +63,4 @@ def creep(
         print_sections(out, [Section("", [creep_table(numbers, SYSTEMS[read.report.units])])])
     pictures = () if trouble is None else (f"no pictures: {trouble}",)
     talk.warn((*(() if as_json else numbers.warnings), *pictures), read=read.warnings)
-    raise typer.Exit(reached(limit, "torque by sliding", numbers.relative_uncertainty))
+    raise typer.Exit(reached(read.tolerance, "torque by sliding", numbers.relative_uncertainty))

@@ -7,14 +7,12 @@ import typer
 from fembearing.cli.options import (
     AsJson,
     Bodies,
-    Given,
+    GivenAccurate,
     Load,
     Output,
     SceneName,
     Talk,
-    Tolerance,
     read_load,
-    read_tolerance,
 )
 from fembearing.cli.status import reached
 
@@ -22,13 +20,12 @@ RaceName = Annotated[Literal["inner", "outer"], typer.Option("--pair", help="Rac
 
 
 def film(
-    given: Given,
+    given: GivenAccurate,
     output: Output,
     talk: Talk,
     scene: SceneName = None,
     pair: RaceName = "inner",
     load: Load = None,
-    tolerance: Tolerance = None,
     compliance: Bodies = "half-space",
     as_json: AsJson = False,
 ) -> None:
@@ -38,7 +35,6 @@ def film(
     formulas; 2: input error; 3: accuracy not reached.
     """
     read = given.scene(scene)
-    limit = read_tolerance(tolerance, read)
     from analytic.units import SYSTEMS
     from fembearing.check.film.scene_film import film_of
     from fembearing.cli.console import out, print_json
@@ -49,9 +45,7 @@ def film(
     from fembearing.report.terminal import print_sections
 
     with talk.progress() as progress, output.opened() as place:
-        result = film_of(
-            read, pair=pair, load=read_load(load), tolerance=limit, compliance=compliance, progress=progress
-        )
+        result = film_of(read, pair=pair, load=read_load(load), compliance=compliance, progress=progress)
         if place is not None:
             write_all(solution_files(result), place)
     if as_json:
@@ -59,4 +53,4 @@ def film(
     else:
         print_sections(out, [Section("", [film_table(result.numbers, SYSTEMS[read.report.units])])])
         talk.warn(result.numbers.warnings, read=read.warnings)
-    raise typer.Exit(reached(limit, *result.numbers.worst))
+    raise typer.Exit(reached(read.tolerance, *result.numbers.worst))

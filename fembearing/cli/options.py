@@ -193,6 +193,21 @@ class Given(Usual):
         return scene if self.units is None else replace(scene, report=replace(scene.report, units=self.units))
 
 
+Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %" (default: from the scene).')]
+
+
+@dataclass(frozen=True, kw_only=True)
+class GivenAccurate(Given):
+    """The same with the accuracy that is required."""
+
+    tolerance: Tolerance = None
+
+    def scene(self, name: str | None, *, measured: str | None = None) -> "Scene":
+        """As `Given.scene`, with this tolerance in place of its own."""
+        found = super().scene(name, measured=measured)
+        return replace(found, tolerance=read_tolerance(self.tolerance, found))
+
+
 def bearing_names_like(incomplete: str) -> list[str]:
     """Designations of the catalogue that begin so, for the completion of a shell."""
     from analytic.catalog.bearing_rows import bearing_names
@@ -226,7 +241,6 @@ SceneNames = Annotated[
         autocompletion=scene_names_like,
     ),
 ]
-Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %" (default: from the scene).')]
 WithInterval = Annotated[
     bool,
     typer.Option("--interval", help="Compute the 95 % interval of the torque from 512 or more samples, on all cores."),

@@ -2,7 +2,6 @@
 
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,14 +11,12 @@ from fembearing.cli.options import (
     BUILTIN,
     AsJson,
     Force,
-    Given,
+    GivenAccurate,
     Samples,
     SceneNames,
     Talk,
-    Tolerance,
     WithInterval,
     read_samples,
-    read_tolerance,
 )
 from fembearing.cli.status import CHECK_FAILED, DONE, NOT_SOLVED, STANDING_STATUS, say
 
@@ -39,10 +36,9 @@ Target = Annotated[
 
 
 def torque(
-    given: Given,
+    given: GivenAccurate,
     talk: Talk,
     scenes: SceneNames = None,
-    tolerance: Tolerance = None,
     target: Target = None,
     force: Force = False,
     with_interval: WithInterval = False,
@@ -68,7 +64,6 @@ def torque(
 
         content = compared_content(target)
     read = {name: given.scene(name) for name in names}
-    read = {name: replace(scene, tolerance=read_tolerance(tolerance, scene)) for name, scene in read.items()}
     count = read_samples(samples, with_interval=with_interval)
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
