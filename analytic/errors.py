@@ -40,8 +40,8 @@ class MissingPackageError(FembearingError, ImportError):
     def __init__(self, purpose: str, module: str) -> None:
         """purpose : what needs it; module : a key of `BROUGHT_BY`"""
         package, extra = BROUGHT_BY[module]
-        installed = f'"fembearing[{extra}]"' if extra else "fembearing"
-        super().__init__(f"{purpose} needs {package}: pip install {installed}")
+        together = " ".join(each for each, of in BROUGHT_BY.values() if of == extra)  # needed by the same commands
+        super().__init__(f"{purpose} needs {package}: pip install {together}")
 
 
 class ConvergenceError(FembearingError):

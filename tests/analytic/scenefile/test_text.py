@@ -25,7 +25,7 @@ SLIPS = {  # text with a slip, and the line that mends it; "": none is sure
     "a = [1,\n2\n3]": "a = [1, 2, 3]",
     "a = { b = 0.9 c = 0.8 }": "a = { b = 0.9, c = 0.8 }",
     "a = { b = 9; c = 8 }": "a = { b = 9, c = 8 }",
-    "a = {b: 5, c: 6}": "a = {b = 5, c = 6}",
+    "a = {b: 5, c:6}": "a = {b = 5, c = 6}",
     'a = { b = "x", c = 60 um }': 'a = { b = "x", c = "60 um" }',
     'a = { b = "x",\n c = "y" }': 'a = { b = "x", c = "y" }',
     "a = [1, 2": "a = [1, 2]",
