@@ -1,6 +1,7 @@
 """Errors that a user can act on; any other exception is a bug in fembearing."""
 
 from importlib.util import find_spec
+from numbers import Integral
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -39,8 +40,8 @@ class MissingPackageError(FembearingError, ImportError):
     def __init__(self, purpose: str, module: str) -> None:
         """purpose : what needs it; module : a key of `BROUGHT_BY`"""
         package, extra = BROUGHT_BY[module]
-        installed = f'"fembearing[{extra}]"' if extra else "fembearing"
-        super().__init__(f"{purpose} needs {package}: pip install {installed}")
+        together = " ".join(each for each, of in BROUGHT_BY.values() if of == extra)  # needed by the same commands
+        super().__init__(f"{purpose} needs {package}: pip install {together}")
 
 
 class ConvergenceError(FembearingError):
@@ -110,6 +111,13 @@ def require_non_negative(**values: ArrayLike) -> None:
         array = real_numbers(name, value)
         if not all(0 <= each < np.inf for each in _ends(array)):
             _refuse(name, array, np.isfinite(array) & (array >= 0), "at least 0 and finite")
+
+
+def require_whole(*, low: int, **values: int | None) -> None:
+    """Raise InputError unless every value is a whole number from `low`, or None."""
+    for name, value in values.items():
+        if value is not None and not (isinstance(value, Integral) and value >= low):
+            raise InputError(f"{name} = {value!r:.80}: give a whole number from {low}, or leave it out")
 
 
 def _ends(array: NDArray[np.float64]) -> list[float]:

@@ -10,6 +10,7 @@ A key says how its unit is read, wherever people write it: "60 C" is 60 degC, "3
 
 import re
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache, lru_cache
@@ -24,7 +25,7 @@ FACTOR = r"(?:[A-Za-zµμ°Ω][A-Za-z_µμ°Ω]{0,29}|%)(?:(?:\^|\*\*)?-?\d)?"
 UNIT = rf"(?:1? */ *)?{FACTOR}(?: *[*/·] *{FACTOR}| +{FACTOR})*"
 QUANTITY = re.compile(rf" *({NUMBER}) *({UNIT}|\") *", re.ASCII)
 LONGEST = 80  # characters; limits the time of a match
-RAISED = {"⁻¹": "^-1", "²": "^2", "³": "^3", "\N{DOT OPERATOR}": "·"}
+RAISED = {"⁻¹": "^-1", "²": "^2", "³": "^3", "\N{DOT OPERATOR}": "·", "º": "°"}
 
 # Units without their spaces, as people write them; pint does not know them or means something else.
 SPELLINGS = {'"': "inch", "kp": "kgf", "Pas": "Pa s", "mPas": "mPa s"}
@@ -156,7 +157,8 @@ class Dimension:
         if not isfinite(value):
             raise ValueError(f"is not finite; {self.accepted}")
         if not self.low <= value <= self.high:
-            raise ValueError(f"is out of range, {self.span}; {self.accepted}")
+            limit = f"least {self.written(self.low)}" if value < self.low else f"most {self.written(self.high)}"
+            raise ValueError(f"must be at {limit} {self.shown_unit}".rstrip() + f"; {self.accepted}")
         return value
 
     def tidy(self, given: str) -> str:
@@ -299,6 +301,12 @@ def _registry() -> Any:
     return pint.UnitRegistry(non_int_type=Decimal)  # pyright: ignore[reportArgumentType]
 
 
+def word_like(given: object, words: Iterable[str]) -> str | None:
+    """The word that is meant, in any case and with blanks or dashes for _; None: none of them."""
+    meant = re.sub(r"[\s_-]+", "_", given.strip()).casefold() if isinstance(given, str) else None
+    return next((word for word in words if word.casefold() == meant), None)
+
+
 @dataclass(frozen=True, kw_only=True)
 class QuantityOrWord(Dimension):
     """A quantity, or one of a few words in its place."""
@@ -312,7 +320,8 @@ class QuantityOrWord(Dimension):
 
     def read(self, given: object) -> Any:
         """The value in SI, or the word. Raises ValueError as `Dimension.read`."""
-        return given if given in self.words else super().read(given)
+        word = word_like(given, self.words)
+        return super().read(given) if word is None else word
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -366,5 +375,5 @@ def range_of(text: str) -> Range | None:
     """The parts of a range; None for another text. Raises ValueError for a range without its number of values."""
     found = RANGE.fullmatch(text)
     if found is None and " to " in text:
-        raise ValueError('is no range; give FIRST to LAST in COUNT, as "0 rpm to 6000 rpm in 15"')
+        raise ValueError(f'is no range; give FIRST to LAST in COUNT, as "{text} in 15"')
     return found and Range(found["first"], found["last"], int(found["count"]), found["log"] is not None)

@@ -198,7 +198,7 @@ def _built(entry: Entry, family: str) -> bytes:
         raise CompilerError(
             f"{entry.name} is not compiled for this machine, and numba is not installed: pip install 'fembearing[jit]'"
         )
-    _say(f"compiling {entry.name}, once on this machine")
+    _announce()
     with tempfile.TemporaryDirectory() as scratch:
         if build_process([entry.name], [family], Path(scratch)).wait():
             raise CompilerError(f"{entry.name} did not compile: see above")
@@ -294,6 +294,11 @@ def _formulas() -> bytes:
 def digest(code: bytes) -> bytes:
     """How an object file begins."""
     return hashlib.sha256(code).hexdigest().encode()
+
+
+@cache
+def _announce() -> None:
+    _say("compiling formulas, once on this machine")
 
 
 def _say(line: str) -> None:

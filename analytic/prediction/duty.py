@@ -27,6 +27,7 @@ from analytic.result import FrictionTorque
 from analytic.rows import NotNegative, OperatingPoint, Positive
 from analytic.scene import Array, Scene
 from analytic.scenefile.columns import Cycle, operating_points, read_cycle, require_loads
+from analytic.scenefile.find import require_no_data
 from analytic.scenefile.read import SceneByTemperature, load_by_temperature
 from analytic.torque import friction_torque
 from analytic.words import torque_of
@@ -143,6 +144,7 @@ def duty_cycle(
     short beside the time that the bearing takes to warm. The interval keeps that temperature, with its usual spread.
     The interval is to first order, with the errors of each input the same in all steps.
     """
+    require_no_data(scene)
     read = read_cycle(cycle)
     return cycle_with_torques(load_by_temperature(scene, columns=vars(read), **given), read)[0]
 

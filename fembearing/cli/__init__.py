@@ -95,8 +95,7 @@ def main() -> None:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     gc.set_threshold(OBJECTS)
     atexit.register(gc.freeze)  # at its end Python would search all objects once more, for up to 0.2 s
-    examples = {name: example for name, (_, example) in COMMANDS.items()}
-    sys.exit(guarded(lambda: app(standalone_mode=False), examples=examples))
+    sys.exit(guarded(lambda: app(standalone_mode=False)))
 
 
 def command_of(name: str) -> Any:

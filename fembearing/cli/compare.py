@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.options import AsJson, Given, Named, Output, Samples, Talk, require_scene_first
+from fembearing.cli.options import AsJson, Given, Named, Output, Samples, Talk
 from fembearing.cli.status import STATUS
 
 Data = Annotated[
@@ -32,7 +32,6 @@ def compare(
     Give the scene and the file, or the scene alone if its table [measured] names the file. Exit status 0: every
     measured torque lies in its 95 % interval; 1: at least one lies outside; 2: input error.
     """
-    require_scene_first("compare", scene, data)
     from analytic.units import SYSTEMS
     from fembearing.check.measured.comparison import compare_measured
     from fembearing.cli.console import out, print_json, tell_assumed

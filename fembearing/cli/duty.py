@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.options import AsJson, Given, Named, Output, Talk, require_scene_first
+from fembearing.cli.options import AsJson, Given, Named, Output, Talk
 from fembearing.cli.status import STANDING_STATUS
 
 CycleFile = Annotated[
@@ -22,9 +22,9 @@ def duty(given: Given, output: Output, talk: Talk, scene: Named, cycle: CycleFil
     gives the values without a column; a bearing of the catalog has no usual load beside a column of loads. With
     [thermal] in the scene, the mean power determines the oil temperature.
     """
-    require_scene_first("duty", scene, cycle)
     from analytic.prediction.duty import cycle_with_torques
     from analytic.scenefile.columns import read_cycle
+    from analytic.scenefile.find import require_no_data
     from analytic.standing import worst_standing
     from analytic.units import SYSTEMS
     from fembearing.cli.console import out, print_json, tell_assumed
@@ -33,6 +33,7 @@ def duty(given: Given, output: Output, talk: Talk, scene: Named, cycle: CycleFil
     from fembearing.report.sections.duty import duty_section
     from fembearing.report.terminal import print_sections
 
+    require_no_data(scene)
     steps = read_cycle(cycle)
     found = given.by_temperature(scene, columns=vars(steps))
     with output.opened() as place:

@@ -13,14 +13,12 @@ from fembearing.cli.options import (
     BUILTIN,
     AsJson,
     Force,
-    Given,
+    GivenAccurate,
     Samples,
     SceneNames,
     Talk,
-    Tolerance,
     WithInterval,
     read_samples,
-    read_tolerance,
 )
 from fembearing.cli.status import CHECK_FAILED, DONE, NOT_SOLVED, STANDING_STATUS, print_warnings, say
 
@@ -43,10 +41,9 @@ Target = Annotated[
 
 
 def torque(
-    given: Given,
+    given: GivenAccurate,
     talk: Talk,
     scenes: SceneNames = None,
-    tolerance: Tolerance = None,
     target: Target = None,
     force: Force = False,
     with_interval: WithInterval = False,
@@ -71,7 +68,7 @@ def torque(
     read: dict[str, Scene] = {}
     for name, one in asked.items():
         with _named(one.place, lost, keep_going=keep_going):
-            read[name] = one.scene(tolerance)
+            read[name] = one.scene()
     count = read_samples(samples, with_interval=with_interval)
     from analytic.progress import part_of
     from fembearing.cli.console import out, print_json
@@ -115,20 +112,19 @@ class Asked(NamedTuple):
 
     place: str  # as messages begin; "": they need not say it
     name: str
-    given: Given
+    given: GivenAccurate
     is_listed: bool = False  # in a list, which has bearings of the catalog alone
 
-    def scene(self, tolerance: str | None) -> "Scene":
-        """With the tolerance of an option. Raises InputError as `Given.scene`."""
+    def scene(self) -> "Scene":
+        """Raises InputError as `Given.scene`."""
         if self.is_listed:
             from analytic.catalog.bearing_rows import find_bearing
 
             find_bearing(self.name)
-        scene = self.given.scene(self.name)
-        return replace(scene, tolerance=read_tolerance(tolerance, scene))
+        return self.given.scene(self.name)
 
 
-def _asked(names: list[str], given: Given) -> dict[str, Asked]:
+def _asked(names: list[str], given: GivenAccurate) -> dict[str, Asked]:
     """What is asked for, by the names in the tables. Raises InputError for a scene that stands twice."""
     from analytic.errors import InputError
     from analytic.scenefile.bearing_list import ENDINGS, read_list
@@ -182,6 +178,8 @@ def _file_of_all(target: Path | None, *, force: bool) -> AbstractContextManager[
 
 
 def _print(results: "Mapping[str, SceneTorque]", talk: Talk, *, details: bool) -> None:
+    from rich.markup import escape
+
     from analytic.units import SYSTEMS
     from fembearing.cli.console import out, tell_assumed
     from fembearing.report.document import Section
@@ -192,13 +190,15 @@ def _print(results: "Mapping[str, SceneTorque]", talk: Talk, *, details: bool) -
     if len(results) > 1:
         units = SYSTEMS[next(iter(results.values())).scene.report.units]
         print_sections(out, [Section("", [side_by_side(results, units)])])
-    else:
-        print_sections(out, [headline_section(result) for result in results.values()])
     usual = {name: tuple(result.scene.usual.items()) for name, result in results.items()}
     for assumed, names in names_by(usual.items()).items():
         tell_assumed(dict(assumed), before=names if len(results) > 1 else "")
-    if details:
-        for result in results.values():
+    for name, result in results.items():
+        if details and len(results) > 1:
+            out.rule(escape(name))
+        if details or len(results) == 1:
+            print_sections(out, [headline_section(result)])
+        if details:
             out.print()
             print_sections(out, torque_sections(result))
     said = names_by((name, each) for name, result in results.items() for each in result.friction.warnings)

@@ -81,7 +81,7 @@ def test_a_number_with_a_unit_is_refused_with_the_one_that_is_read() -> None:
 def test_a_missing_package_is_named_with_what_brings_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(errors, "find_spec", lambda module: None if module in ("xarray", "skfem") else object())
     require_packages("a figure", "matplotlib", "jinja2")
-    with pytest.raises(MissingPackageError, match=r'^a dataset needs xarray: pip install "fembearing\[sweep\]"$'):
+    with pytest.raises(MissingPackageError, match=r"^a dataset needs xarray: pip install dask .*xarray$"):
         require_packages("a dataset", "matplotlib", "xarray")
-    with pytest.raises(MissingPackageError, match=r"^a mesh needs scikit-fem: pip install fembearing$"):
+    with pytest.raises(MissingPackageError, match=r"^a mesh needs scikit-fem: pip install scikit-fem .*$"):
         require_packages("a mesh", "skfem")

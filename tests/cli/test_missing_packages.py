@@ -70,16 +70,18 @@ class Answer(NamedTuple):
     left: list[str]  # names of the files that were written
 
 
-SWEEP = 'sweep needs {}: pip install "fembearing[sweep]"'
-THREADS, SOLVER = "{} needs threadpoolctl: pip install fembearing", "{} needs scikit-fem: pip install fembearing"
-PICTURES = "--out {!r} needs matplotlib: pip install fembearing"
+DATA, BASE = (
+    f"pip install {' '.join(package for package, of in BROUGHT_BY.values() if of == extra)}" for extra in ("sweep", "")
+)
+SWEEP, PICTURES = f"sweep needs {{}}: {DATA}", f"--out {{!r}} needs matplotlib: {BASE}"
+THREADS, SOLVER = f"{{}} needs threadpoolctl: {BASE}", f"{{}} needs scikit-fem: {BASE}"
 REFUSED = {  # by installation: what lacks a package, with what it says
     "plain": {
         "sweep ../grid.toml --out new": SWEEP.format("dask"),
         "compare ../s.toml ../rig.xlsx": '../rig.xlsx needs openpyxl: pip install "fembearing[sweep]"',
         "import fembearing; fembearing.run_sweep('g.toml', out='o')": SWEEP.format("dask"),
         "import analytic; analytic.friction_torque(analytic.load_scene('6205-dry')).to_dataset()": (
-            'a dataset needs xarray: pip install "fembearing[sweep]"'
+            f"a dataset needs xarray: {DATA}"
         ),
     },
     "netCDF4": {"sweep ../grid.toml --out new": SWEEP.format("netCDF4")},
@@ -169,7 +171,7 @@ def test_what_lacks_a_package_says_in_one_line_how_to_install_it(installation: I
 @PLAIN
 def test_a_folder_without_netcdf_says_that_the_series_of_the_cage_is_missing(installation: Installation) -> None:
     done, folder = installation.answers[CAGE], installation.folder_of(CAGE) / "new"
-    lacking = 'there is no series of the cage\'s motion: it needs xarray: pip install "fembearing[sweep]"'
+    lacking = f"there is no series of the cage's motion: it needs xarray: {DATA}"
     assert lacking in done.err
     assert {"1-cage.png", "1-cage-forces.png", "torque.json"} < {path.name for path in folder.iterdir()}
     motion = json.loads((folder / "torque.json").read_text("utf-8"))["cage_motion"]

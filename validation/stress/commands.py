@@ -46,7 +46,7 @@ import sys
 from pathlib import Path
 from fembearing.cli.boundary import guarded
 from fembearing.mesh.meshfile import read_body
-sys.exit(guarded(lambda: print(read_body(Path("body.vtu"), name="ball")), examples={}))
+sys.exit(guarded(lambda: print(read_body(Path("body.vtu"), name="ball"))))
 """
 COMMANDS = {  # of a damaged file
     "mesh": (),

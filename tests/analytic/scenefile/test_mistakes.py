@@ -169,7 +169,7 @@ def test_an_unknown_key_is_answered_in_short(text: str, words: str) -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (None, "give the path of a scene file (built in: 6205-dry, paper_6205)"),
+        (None, "fembearing init 6206 writes a scene file"),
         (b"\xff\xfe\x00n", "byte 0 is not UTF-8"),
         (b"#" * (LARGEST_FILE + 1), f"more than {LARGEST_FILE} bytes"),
         (b"\x00\x01\x02", "not TOML"),
