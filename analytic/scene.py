@@ -470,7 +470,7 @@ class HeightMapFile(Noun):
     path: Annotated[
         Text, InFile(hint="give the path of a .npy, .csv (heights in m) or .x3p file, from the scene file's folder")
     ]
-    spacing: Annotated[Spacing, FILLED, "of neighbouring points in both directions"]
+    spacing: Annotated[Spacing | None, "of neighbouring points in both directions; without it the file's own"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
