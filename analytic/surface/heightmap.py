@@ -23,6 +23,7 @@ from analytic.words import length_of, percent_of, plain
 
 LARGEST_TEXT, LARGEST_BINARY = 100_000_000, 300_000_000  # bytes of a text and of .npy
 BAND = 64  # rows of a map that are measured together
+SPACING_ROUNDING = 1e-6  # relative difference of two equal spacings in a text
 SAME_SPACING = 1e-3  # relative difference of two spacings: moments of slopes change by as much
 # Share of points that were not measured. Filled points are smoother than the surface, so that they lower the mean
 # squares of height, slope and curvature by up to this share: as much as these scatter from place to place.
@@ -110,7 +111,10 @@ def _one_spacing(found: MapData, given: float | None) -> float:
 
 def _checked(found: MapData, spacing: float) -> HeightMap:
     """The map without form and gaps."""
-    heights, doubts = found.heights, list(found.doubts)
+    heights, doubts = found.heights, [*found.doubts]
+    if found.spacings is not None and abs(found.spacings[0] - found.spacings[1]) > SPACING_ROUNDING * spacing:
+        along_x, along_y = (length_of(each, ".6g") for each in found.spacings)
+        doubts.append(f"points of the map are {along_x} apart along x and {along_y} along y, and their mean counts")
     gaps = ~np.isfinite(heights)
     heights[gaps] = np.nan  # infinite ones too
     share = float(gaps.mean())
@@ -128,7 +132,9 @@ def _checked(found: MapData, spacing: float) -> HeightMap:
     with_form = float(np.sqrt(np.nanmean(heights**2)))
     _remove(heights, FORM)
     if share:
-        doubts.append(f"{percent_of(share)} of the points were not measured and are filled by linear interpolation")
+        doubts.append(
+            f"{percent_of(share)} of the points of the map were not measured and are filled by linear interpolation"
+        )
         _fill(heights)
         _remove(heights, FORM)
     roughness = float(np.sqrt(_mean_square(heights, order=0)))

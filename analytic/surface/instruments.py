@@ -11,6 +11,7 @@ import sys
 from contextlib import suppress
 from importlib.util import find_spec
 from pathlib import Path
+from zipfile import ZipFile, is_zipfile
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from analytic.reading import require_regular
 from analytic.surface.map_data import MapData, require_matrix
 from analytic.words import plain
 
-LARGEST = 300_000_000  # bytes of a file
+LARGEST = 300_000_000  # bytes of a file, and of what it unpacks to
 MOST_MEMORY, PATIENCE = 3_000_000_000, 120  # bytes and s of the process; a large map takes 1 GB and some seconds
 AGAIN = "save it as .x3p, or heights in m as .npy"
 # Ending -> format, as SurfaceTopography names it. Lists of points, line scans and files that may hold anything, as .mat
@@ -76,6 +77,10 @@ def _read(path: str, kind: str) -> MapData:
     """The map, in the process with limits."""
     from SurfaceTopography import open_topography  # pyright: ignore[reportMissingImports]
 
+    if is_zipfile(path):
+        with ZipFile(path) as archive:  # never gives more than it says
+            if sum(part.file_size for part in archive.infolist()) > LARGEST:
+                raise InputError(f"unpacks to more than {LARGEST // 1_000_000} MB; {AGAIN}")
     with open_topography(path, format=kind) as reader:
         maps = [channel for channel in reader.channels if channel.dim == 2 and channel.data_kind.value == "height"]
         if not maps:
@@ -84,7 +89,7 @@ def _read(path: str, kind: str) -> MapData:
         require_matrix(tuple(reversed(first.nb_grid_pts)))
         if first.unit is None or first.physical_sizes is None:
             raise InputError(f"says no unit or no size of its map; {AGAIN}")
-        doubts = [f"has {len(maps)} maps of heights, and {plain(first.name)} is the first, which counts"]
+        doubts = [f"its file has {len(maps)} maps of heights, and the first counts, {plain(first.name)}"]
         topography = first.topography().to_unit("m")
         heights = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan)  # x first
         along_x, along_y = topography.pixel_size

@@ -73,8 +73,9 @@ def torque_with_files(
 def write_torque(
     result: SceneTorque, folder: Path, *, renderer: Sequence[str] | None = None, progress: Progress = silent
 ) -> str | None:
-    """Write torque.json, torque.csv, torque.png and torque.svg, with an interval interval.png, and of each operating
-    point whose cage moved NUMBER-cage.nc, -cage.png and -cage-forces.png.
+    """Write torque.json, torque.csv, torque.png and torque.svg, with an interval interval.png, with a measured
+    surface height-map.png, and of each operating point whose cage moved NUMBER-cage.nc, -cage.png and
+    -cage-forces.png.
 
     renderer : the command that draws; VTK's without it
     Gives what the folder lacks, as `torque_with_files`.
@@ -95,6 +96,7 @@ def write_torque(
         written, lacking = [], _why_at_rest(result)
     if result.prediction is not None:
         _write_prediction(result.prediction, folder)
+    _write_height_map(result, folder)
     write(folder / "torque.csv", table_file(result))
     for ending in (".png", ".svg"):
         write(folder / f"torque{ending}", image_of(result.plot(), ending))
@@ -109,6 +111,15 @@ def _write_prediction(prediction: "Prediction", folder: Path) -> None:
     from fembearing.report.figures.style import png
 
     write(folder / "interval.png", png(interval_figure(prediction, METRIC)))
+
+
+def _write_height_map(result: SceneTorque, folder: Path) -> None:
+    """Write height-map.png, the map without its form, if one counts."""
+    from fembearing.report.figures.height_map import height_map_figure, map_that_counts
+    from fembearing.report.figures.style import png
+
+    if (file := map_that_counts(result)) is not None:
+        write(folder / "height-map.png", png(height_map_figure(file, METRIC, captioned=True)[0]))
 
 
 def _write_motions(
