@@ -268,7 +268,7 @@ def _read_text(path: str | os.PathLike[str]) -> MapData:
     heights = np.loadtxt((GAP.sub("nan", row) for row in rows), delimiter=separator, ndmin=2, dtype=np.float64)
     for line, name in ((heights[0, 1:], "row"), (heights[1:, 0], "column")):
         steps = np.diff(line)
-        if np.ptp(steps) <= EVEN * abs(steps.mean()):
+        if np.ptp(steps) < EVEN * abs(steps.mean()):
             raise InputError(f"has a first {name} of equal steps, which are positions; leave this {name} out")
     return MapData(heights)
 

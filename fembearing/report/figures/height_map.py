@@ -58,8 +58,8 @@ def height_map_figure(file: HeightMapFile, units: Units, *, captioned: bool = Fa
     bar.set_label(f"height, {small.name}", fontsize=LETTERS)
     waves = small.written(length, ".3g") if np.isfinite(length) else "more than half of the map"
     caption = (
-        f"Heights that count, {rows} by {columns} points every {small.written(found.spacing, '.4g')}, without plane and "
-        f"form (a polynomial of second order). Sq {small.written(roughness, '.3g')}, with the form "
+        f"Heights that count, {rows} by {columns} points every {small.written(found.spacing, '.4g')}, without plane "
+        f"and form (a polynomial of second order). Sq {small.written(roughness, '.3g')}, with the form "
         f"{small.written(found.with_form, '.3g')}; correlation length {waves}. Look for stripes, scratches and single "
         "peaks: the model takes a surface that is alike in all directions."
     )
