@@ -21,7 +21,7 @@ from analytic.surface.map_data import MapData, require_matrix
 from analytic.words import plain
 
 LARGEST = 300_000_000  # bytes of a file, and of what it unpacks to
-MOST_MEMORY, PATIENCE = 3_000_000_000, 120  # bytes and s of the process; a large map takes 1 GB and some seconds
+MOST_MEMORY, PATIENCE = 3_000_000_000, 60  # bytes and s of the process; a large map takes 1 GB and some seconds
 AGAIN = "save it as .x3p, or heights in m as .npy"
 # Ending -> format, as SurfaceTopography names it. Lists of points, line scans and files that may hold anything, as .mat
 # and .h5, have no place here.

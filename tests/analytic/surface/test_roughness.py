@@ -123,7 +123,7 @@ def test_a_scene_with_a_height_map(tmp_path: Path) -> None:
     np.testing.assert_allclose(computed.ball.bandwidth, computed.race.bandwidth, rtol=1e-12)
     np.save(tmp_path / "tilted.npy", 3e-7 * np.arange(60) + 2e-7 * np.arange(50)[:, None] + 4e-6)
     tilted = HeightMapFile(path=str(tmp_path / "tilted.npy"), spacing=1e-6)
-    words = "surface.height_map: ", "tilted.npy: heights have Sq 0 nm, less than 1 nm"
+    words = "surface.height_map: ", "tilted.npy: heights have Sq 0 nm without plane and form, less than 1 nm"
     refused(lambda: gap_roughness(Surface(height_map=tilted)), *words)
     refused(lambda: gap_roughness(Surface(rms_roughness=SQ)), "surface needs rms_roughness and autocorrelation")
 
