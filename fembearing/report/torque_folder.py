@@ -13,7 +13,7 @@ import numpy as np
 
 from analytic.errors import MissingPackageError, require_packages
 from analytic.progress import Progress, part_of, silent
-from analytic.scene import Scene
+from analytic.scene import HeightMapFile, Scene
 from analytic.scene_torque import Samples, SceneTorque, torque_of_scene
 from analytic.units import METRIC
 from analytic.writing import being_written, new_file, new_folder, require_utf8, write
@@ -96,7 +96,8 @@ def write_torque(
         written, lacking = [], _why_at_rest(result)
     if result.prediction is not None:
         _write_prediction(result.prediction, folder)
-    _write_height_map(result, folder)
+    if (surface := result.scene.surface) is not None and surface.height_map is not None:
+        _write_height_map(surface.height_map, folder)
     write(folder / "torque.csv", table_file(result))
     for ending in (".png", ".svg"):
         write(folder / f"torque{ending}", image_of(result.plot(), ending))
@@ -113,13 +114,12 @@ def _write_prediction(prediction: "Prediction", folder: Path) -> None:
     write(folder / "interval.png", png(interval_figure(prediction, METRIC)))
 
 
-def _write_height_map(result: SceneTorque, folder: Path) -> None:
-    """Write height-map.png, the map without its form, if one counts."""
-    from fembearing.report.figures.height_map import height_map_figure, map_that_counts
+def _write_height_map(file: HeightMapFile, folder: Path) -> None:
+    """Write height-map.png: the map without its form."""
+    from fembearing.report.figures.height_map import height_map_figure
     from fembearing.report.figures.style import png
 
-    if (file := map_that_counts(result)) is not None:
-        write(folder / "height-map.png", png(height_map_figure(file, METRIC, captioned=True)[0]))
+    write(folder / "height-map.png", png(height_map_figure(file, METRIC, captioned=True)[0]))
 
 
 def _write_motions(

@@ -8,7 +8,6 @@ from matplotlib.figure import Figure
 from analytic.errors import InputError
 from analytic.figures.style import LETTERS, WIDTH, lettered
 from analytic.scene import HeightMapFile
-from analytic.scene_torque import SceneTorque
 from analytic.surface.heightmap import measure, read_height_map
 from analytic.units import Units
 from fembearing.report.report import Report
@@ -20,20 +19,14 @@ LETTERS_WIDE = 110  # of a line below the figure
 
 
 def height_map_plot(document: Report) -> tuple[Figure | None, str]:
-    """The map of the scene's surface, if it counts."""
-    file = None if document.solved is None else map_that_counts(document.solved)
-    if file is None:
+    """The map of the surface that the torque has, if any."""
+    surface = document.scene.surface
+    if document.solved is None or surface is None or surface.height_map is None:
         return None, ""
     try:
-        return height_map_figure(file, document.units)
-    except InputError as problem:  # it was read before
+        return height_map_figure(surface.height_map, document.units)
+    except InputError as problem:  # the file was there before
         return None, f"There is no picture of the height map: {problem}."
-
-
-def map_that_counts(torque: SceneTorque) -> HeightMapFile | None:
-    """The height map of the scene, if its roughness is in the torque."""
-    surface = torque.scene.surface
-    return None if surface is None or torque.friction.gap_roughness is None else surface.height_map
 
 
 def height_map_figure(file: HeightMapFile, units: Units, *, captioned: bool = False) -> tuple[Figure, str]:
