@@ -16,12 +16,14 @@ from analytic.errors import InputError, require_positive
 from analytic.reading import content_of, require_regular, text_of
 from analytic.scene import Array
 from analytic.surface.instruments import FORMATS, METROPRO, instrument_map
-from analytic.surface.map_data import FEWEST_POINTS, MapData, require_matrix
+from analytic.surface.map_data import FEWEST_POINTS, MOST_POINTS, MapData, require_matrix
 from analytic.surface.moments import SpectralMoments, Summits
 from analytic.surface.x3p import x3p_map
 from analytic.words import length_of, percent_of, plain
 
 LARGEST_TEXT, LARGEST_BINARY = 100_000_000, 300_000_000  # bytes of a text and of .npy
+MOST_LINES, LONGEST_LINE = 10_000, 100 * MOST_POINTS  # of a text, with its head; a number has 25 characters at most
+MATRIX = f"give a matrix of heights in m, a row a line, of {FEWEST_POINTS} to {MOST_POINTS} in each direction"
 BAND = 64  # rows of a map that are measured together
 SPACING_ROUNDING = 1e-6  # relative difference of two equal spacings in a text
 SAME_SPACING = 1e-3  # relative difference of two spacings: moments of slopes change by as much
@@ -245,11 +247,13 @@ def _read_text(path: str | os.PathLike[str]) -> MapData:
     content = content_of(path, most=LARGEST_TEXT, remedy="give the path of a height map; of a large one, a .npy file")
     if content.startswith(METROPRO[1]):
         return instrument_map(path, METROPRO[0])
-    lines = [stripped for line in text_of(content).splitlines() if (stripped := line.strip()) and stripped[0] != "#"]
-    widths = (_width(line) for line in lines)
-    start = next((number for number, width in enumerate(widths) if width >= FEWEST_POINTS), None)
+    parts = text_of(content).replace("\r\n", "\n").replace("\r", "\n").split("\n", MOST_LINES)
+    if len(parts) > MOST_LINES or max(map(len, parts)) > LONGEST_LINE:
+        raise InputError(f"has more than {MOST_LINES} lines, or longer ones than {LONGEST_LINE} characters; {MATRIX}")
+    lines = [stripped for part in parts if (stripped := part.strip()) and stripped[0] != "#"]
+    start = next((number for number, line in enumerate(lines) if _width(line) >= FEWEST_POINTS), None)
     if start is None:
-        raise InputError(f"has no row of {FEWEST_POINTS} or more numbers; give a matrix of heights in m, a row a line")
+        raise InputError(f"has no row of {FEWEST_POINTS} or more numbers; {MATRIX}")
     rows, first = lines[start:], lines[start]
     require_matrix((len(rows), _width(first)))
     separator = next((sign for sign in "\t;" if sign in first), None)
@@ -267,8 +271,10 @@ def _read_text(path: str | os.PathLike[str]) -> MapData:
         rows = (empty.sub("nan", row.rstrip(separator)) for row in rows)
     heights = np.loadtxt((GAP.sub("nan", row) for row in rows), delimiter=separator, ndmin=2, dtype=np.float64)
     for line, name in ((heights[0, 1:], "row"), (heights[1:, 0], "column")):
-        steps = np.diff(line)
-        if np.ptp(steps) < EVEN * abs(steps.mean()):
+        with np.errstate(over="ignore", invalid="ignore"):  # of numbers near the largest double
+            steps = np.diff(line)
+            is_even = np.ptp(steps) < EVEN * abs(steps.mean())
+        if is_even:
             raise InputError(f"has a first {name} of equal steps, which are positions; leave this {name} out")
     return MapData(heights)
 
@@ -276,7 +282,8 @@ def _read_text(path: str | os.PathLike[str]) -> MapData:
 def _width(line: str) -> int:
     """The numbers and gaps of a line; 0: it has words too."""
     cells = BETWEEN.split(line.strip(";, "))
-    return len(cells) if all(NUMBER.fullmatch(cell) or GAP.fullmatch(cell) for cell in cells) else 0
+    known = len(cells) > MOST_POINTS or all(NUMBER.fullmatch(cell) or GAP.fullmatch(cell) for cell in cells)
+    return len(cells) if known else 0
 
 
 READERS = {

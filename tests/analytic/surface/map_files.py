@@ -34,12 +34,11 @@ def x3p(
     file: Path, heights: np.ndarray, *, folder: str = "", valid: np.ndarray | None = None, listed: bool = False, **said
 ) -> Path:
     """valid : points in the file of valid points;  listed : heights in main.xml itself;  said : of `USUAL`"""
-    said = USUAL | said
-    rows, columns = heights.shape
+    said = USUAL | dict(zip(("rows", "columns"), heights.shape, strict=True)) | said
     points = "".join(f"<Datum>;;{'' if np.isnan(each) else repr(float(each))}</Datum>" for each in heights.flat)
     data = f"<DataList>{points}</DataList>" if listed else LINKS.format("" if valid is None else VALID)
     with ZipFile(file, "w", ZIP_DEFLATED) as archive:
-        archive.writestr(f"{folder}main.xml", INDEX.format(rows=rows, columns=columns, data=data, **said))
+        archive.writestr(f"{folder}main.xml", INDEX.format(data=data, **said))
         types = {"D": "<f8", "F": "<f4", "L": "<i4", "I": "<i2"}
         archive.writestr(f"{folder}bindata/data.bin", heights.astype(types.get(said["kind"], "<f8")).tobytes())
         if valid is not None:

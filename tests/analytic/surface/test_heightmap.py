@@ -183,6 +183,9 @@ def refusal(path: Path) -> str:
     [
         ("a.csv", b"", "no row of 32 or more numbers"),
         ("a.txt", b"0 0 1e-7\n" * 5000, "no row of 32 or more numbers"),  # a list of points
+        ("a.txt", b"0 0 1e-7\n" * 50_000, "more than 10000 lines"),
+        ("a.txt", b"0 " * 300_000, "longer ones than 409600 characters"),
+        ("a.txt", (b"1e308 -1e308 " * 20 + b"\n") * 40, "give them in m"),
         ("a.csv", b"1e-7," * 39 + b"2e-7\n3\n" * 40, "not a matrix of numbers"),
         ("a.csv", (b"1e-7," * 39 + b"2e-7\n") * 40 + b"the end", "not a matrix of numbers"),
         ("a.csv", (b"0,1e-7," * 39 + b"0,2e-7\n") * 40, "both are possible; separate by semicolons"),
