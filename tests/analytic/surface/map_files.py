@@ -56,3 +56,38 @@ def sur(file: Path, steps: np.ndarray, *, unit: bytes = b"\xb5m", spacing: float
     head += struct.pack("<fff3H12x6HHf8x2x2H128s3f34x", 1, 1, 1, 0, 0, 0, 1, 2, 3, 4, 5, 2024, 0, 0, 0, 0, b"", 0, 0, 0)
     file.write_bytes(head + steps.astype("<i4").tobytes())
     return file
+
+
+def plu(file: Path, *layers: np.ndarray) -> Path:
+    """Sensofar's, with heights in um."""
+    rows, columns = layers[0].shape
+    head = struct.pack("<128sI256s", b"Tue Apr 02 10:11:12 2024", 0, b"")
+    head += struct.pack("<III7f", rows, columns, 0, 1, 1e6 * SPACING, 1e6 * SPACING, 0, 0, 1, 0)
+    head += struct.pack("<5I", 3, 0, 0, 0, 1) + struct.pack("<5IdfII", 0, 0, columns, rows, 0, 0, 0, 0, 0)
+    head += struct.pack("<5B3xI", 0, len(layers), 0, 0, 0, 0)
+    numbers = [struct.pack("<II", *each.shape) + (1e6 * each).astype("<f4").tobytes() + bytes(8) for each in layers]
+    file.write_bytes(head + b"".join(numbers))
+    return file
+
+
+def opd(file: Path, heights: np.ndarray) -> Path:
+    """Wyko's, with heights in wavelengths of 632.8 nm, and x first."""
+    columns_first = heights[::-1].T / 632.8e-9
+    raster = struct.pack("<HHH", *columns_first.shape, 4) + columns_first.astype("<f4").tobytes()
+    numbers = [(b"RAW_DATA", 3, raster), (b"Wavelength", 7, struct.pack("<f", 632.8))]
+    numbers += [(b"Mult", 6, struct.pack("<h", 1)), (b"Pixel_size", 7, struct.pack("<f", 1e3 * SPACING))]
+    blocks = [struct.pack("<16shlH", name, kind, len(part), 0) for name, kind, part in numbers]
+    directory = struct.pack("<16shlH", b"Directory", 1, 24 * (len(blocks) + 1), 0)
+    file.write_bytes(b"\1\0" + directory + b"".join(blocks) + b"".join(part for _, _, part in numbers))
+    return file
+
+
+def sdf(file: Path, heights: np.ndarray) -> Path:
+    """ISO 25178-71 as text."""
+    rows, columns = heights.shape
+    head = f"aISO-1.0\nNumPoints = {columns}\nNumProfiles = {rows}\nXscale = {SPACING}\nYscale = {SPACING}\n"
+    numbers = "\n".join(" ".join(f"{each:.9e}" for each in row) for row in heights.tolist())
+    file.write_text(
+        f"{head}Zscale = 1\nZresolution = 0\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n{numbers}\n*\n"
+    )
+    return file

@@ -1,6 +1,7 @@
 """Height maps in files of instruments, which SurfaceTopography reads in a process of its own."""
 
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile
 
@@ -8,7 +9,7 @@ import numpy as np
 import pytest
 
 from analytic.surface.heightmap import read_height_map
-from tests.analytic.surface.map_files import ROUGH, SPACING, formless, sur
+from tests.analytic.surface.map_files import ROUGH, SPACING, formless, opd, plu, sdf, sur
 from tests.refusals import refused
 
 STEPS = np.round(ROUGH / 1e-10)
@@ -20,24 +21,31 @@ def reader() -> None:
 
 
 @pytest.mark.usefixtures("reader")
-def test_heights_and_spacing_are_those_that_were_written(tmp_path: Path) -> None:
-    """In the unit of the file, which rounds to single precision."""
-    found = read_height_map(sur(tmp_path / "race.SUR", STEPS))
-    np.testing.assert_allclose(found.heights, formless(ROUGH), atol=1e-10)  # a step
-    assert found.spacing == pytest.approx(SPACING, rel=1e-7)
+@pytest.mark.parametrize(
+    ("write", "rounding"),
+    [
+        (lambda file: sur(file.with_suffix(".SUR"), STEPS), 1e-10),  # a step
+        (lambda file: plu(file.with_suffix(".plu"), ROUGH), 1e-13),  # single precision
+        (lambda file: opd(file.with_suffix(".opd"), ROUGH), 1e-13),
+        (lambda file: sdf(file.with_suffix(".sdf"), ROUGH), 1e-16),  # ten digits
+    ],
+    ids=["sur", "plu", "opd", "sdf"],
+)
+def test_heights_and_spacing_are_those_that_were_written(
+    tmp_path: Path, write: Callable[[Path], Path], rounding: float
+) -> None:
+    """In the units of the file, and rows stay rows."""
+    found = read_height_map(write(tmp_path / "race"))
+    np.testing.assert_allclose(found.heights, formless(ROUGH), atol=rounding)
+    assert found.spacing == pytest.approx(SPACING, rel=1e-7)  # single precision
+    assert found.warnings == ()
 
 
 @pytest.mark.usefixtures("reader")
-def test_of_several_maps_of_heights_the_first_counts(tmp_path: Path) -> None:
-    """A file of Gwyddion, whose names, sizes and units stand in front of the heights."""
-    from SurfaceTopography import Topography
-
-    rows, columns = ROUGH.shape
-    sizes = (1e9 * SPACING * columns, 1e9 * SPACING * rows)
-    Topography(1e9 * ROUGH.T, sizes, unit="nm").to_gwy(str(tmp_path / "race.gwy"))
-    found = read_height_map(tmp_path / "race.gwy")
-    np.testing.assert_allclose(found.heights, formless(ROUGH), atol=1e-20)  # round-off
-    assert found.warnings == ()
+def test_of_several_maps_the_first_counts(tmp_path: Path) -> None:
+    found = read_height_map(plu(tmp_path / "race.plu", ROUGH, 3 * ROUGH[::-1]))
+    np.testing.assert_allclose(found.heights, formless(ROUGH), atol=1e-13)  # single precision
+    assert "2 maps of heights" in found.warnings[0]
 
 
 @pytest.mark.usefixtures("reader")
