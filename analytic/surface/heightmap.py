@@ -1,7 +1,7 @@
 """Height maps of rough surfaces: read from a file, levelled, and measured by differences of neighbouring points.
 
 A map is a matrix of heights, m, on a square grid; x is along its rows, y along its columns. Heights are relative to the
-mean plane, which is subtracted before anything is measured.
+mean plane, which is subtracted before anything is measured; those of a file lose their form and their gaps too.
 """
 
 import os

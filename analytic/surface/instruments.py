@@ -49,7 +49,8 @@ def instrument_map(path: str | os.PathLike[str], kind: str = "") -> MapData:
         raise InputError(
             f"needs SurfaceTopography, which is not installed: pip install 'fembearing[profilometer]', or {AGAIN}"
         )
-    command = [sys.executable, "-m", __name__, os.path.abspath(path), kind or FORMATS[Path(path).suffix.lower()]]
+    # -P: nothing is imported from the working folder, which may be a stranger's
+    command = [sys.executable, "-P", "-m", __name__, os.path.abspath(path), kind or FORMATS[Path(path).suffix.lower()]]
     around = os.environ | {"OPENBLAS_NUM_THREADS": "1"}  # each thread reserves memory
     try:
         ended = subprocess.run(command, capture_output=True, check=False, timeout=PATIENCE, env=around)

@@ -80,14 +80,3 @@ def opd(file: Path, heights: np.ndarray) -> Path:
     directory = struct.pack("<16shlH", b"Directory", 1, 24 * (len(blocks) + 1), 0)
     file.write_bytes(b"\1\0" + directory + b"".join(blocks) + b"".join(part for _, _, part in numbers))
     return file
-
-
-def sdf(file: Path, heights: np.ndarray) -> Path:
-    """ISO 25178-71 as text."""
-    rows, columns = heights.shape
-    head = f"aISO-1.0\nNumPoints = {columns}\nNumProfiles = {rows}\nXscale = {SPACING}\nYscale = {SPACING}\n"
-    numbers = "\n".join(" ".join(f"{each:.9e}" for each in row) for row in heights.tolist())
-    file.write_text(
-        f"{head}Zscale = 1\nZresolution = 0\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n{numbers}\n*\n"
-    )
-    return file
