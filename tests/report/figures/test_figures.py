@@ -55,6 +55,8 @@ PARTS = {  # what is called a figure but is a part of one
     "bars_figure",  # of torque_figure and compared_figure
     "contact_columns",
     "pressure_figure",  # of pressure_plot
+    "height_map_figure",
+    "height_map_plot",
     "interval_figure",
     "measured_figure",
     "drawing_of",
