@@ -48,15 +48,13 @@ from tests.report.figures.intervals import INTERVAL
 from tests.report.specimens import TWO
 
 RPM = 30 / np.pi
-TESTED_APART = {"cost_figures", "sensitivity_plot"}  # in files of their own
+TESTED_APART = {"cost_figures", "height_map_figure", "height_map_plot", "sensitivity_plot"}  # in files of their own
 PARTS = {  # what is called a figure but is a part of one
     "panel_of",
     "lettered",
     "bars_figure",  # of torque_figure and compared_figure
     "contact_columns",
     "pressure_figure",  # of pressure_plot
-    "height_map_figure",
-    "height_map_plot",
     "interval_figure",
     "measured_figure",
     "drawing_of",
