@@ -145,7 +145,7 @@ def build_process(names: Iterable[str], families: Iterable[str], folder: Path) -
     path = os.pathsep.join(filter(None, (str(PACKAGE.parent), *sys.path)))
     # Optimised once, as a whole, the code is as fast, and built sooner.
     around = {**os.environ, "PYTHONPATH": path, "NUMBA_OPT": "0"}
-    return subprocess.Popen([sys.executable, "-m", BUILDER, str(folder), *families, "of", *names], env=around)
+    return subprocess.Popen([sys.executable, "-P", "-m", BUILDER, str(folder), *families, "of", *names], env=around)
 
 
 def families() -> tuple[str, ...]:

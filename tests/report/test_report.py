@@ -39,5 +39,8 @@ def test_what_is_written_is_json_of_finite_numbers_with_the_scene_once(document:
 def test_every_plot_is_drawn_from_the_document(document: Report) -> None:
     for plot in PLOTS:
         figure, caption = plot.draw(document)
+        if plot.section == "inputs":
+            assert (figure, caption) == (None, ""), "its surface is not measured"
+            continue
         assert figure is not None
         assert caption.endswith(".")

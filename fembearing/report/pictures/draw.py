@@ -28,7 +28,7 @@ from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
 from fembearing.report.report import PictureFile
 from fembearing.report.sections.contacts import shoulder_lines, title_of
 
-RENDERER = (sys.executable, "-m", "fembearing.report.pictures.render")
+RENDERER = (sys.executable, "-P", "-m", "fembearing.report.pictures.render")
 COLOURS = re.compile(r"\x1b\[[0-9;]*m")  # of a terminal, in what VTK says
 PATIENCE = 300  # s for all pictures; they take about ten
 LIFTED = 0.35  # of the ball's radius: how far it is drawn off the race

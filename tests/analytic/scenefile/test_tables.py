@@ -260,7 +260,6 @@ def test_a_finish_is_within_its_limits_and_says_that_it_is_assumed() -> None:
         ('rms_roughness = "0.1 um"', ("surface.autocorrelation is missing", "Ra or finish")),
         ("", ("exactly one of rms_roughness, Ra, finish and height_map",)),
         ('Ra = "0.1 um"\nasperities = "greenwood_williamson"', ("asperities", "leave it out")),
-        ('height_map = { path = "a.x3p", spacing = "1 um" }', ("spacing = '1 um' goes with .npy and .csv",)),
         ('height_map = { path = "a.npy" }', ("surface.height_map.spacing is missing",)),
         ('height_map = { path = "a.x3p" }', ("surface.height_map.path = 'a.x3p'",)),
         (

@@ -45,7 +45,14 @@ from tests.report.figures.figure_reader import area_of, bars_of, line_of, points
 from tests.report.figures.intervals import INTERVAL
 from tests.report.specimens import TWO
 
-TESTED_APART = {"bearing_plot", "cost_figures", "draw_bearing", "sensitivity_plot"}  # in files of their own
+TESTED_APART = {  # in files of their own
+    "bearing_plot",
+    "cost_figures",
+    "draw_bearing",
+    "height_map_figure",
+    "height_map_plot",
+    "sensitivity_plot",
+}
 PARTS = {  # what is called a figure but is a part of one
     "panel_of",
     "lettered",
