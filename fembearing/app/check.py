@@ -57,6 +57,7 @@ class Check:
         """Start the process."""
         CHECKS[self.token] = self
         self._told, tells = SPAWNED.Pipe(duplex=False)
+        os.environ["PYTHONSAFEPATH"] = "1"  # else the process would import what lies in the working folder
         self._process = SPAWNED.Process(target=run, args=(self.text, str(self.folder), tells), daemon=True)
         self._process.start()
         tells.close()

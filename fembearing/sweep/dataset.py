@@ -43,17 +43,6 @@ def write_dataset(file: Path, grid: Grid, values: Mapping[str, NDArray[Any]], wa
     dataset.to_netcdf(file, engine="netcdf4")
 
 
-def is_readable(file: Path) -> bool:
-    """Whether a dataset is there and whole, so that it need not be written again."""
-    import xarray
-
-    try:
-        with xarray.open_dataset(file, engine="netcdf4"):
-            return True
-    except (OSError, ValueError):
-        return False
-
-
 def axis_names(axes: Iterable[Axis]) -> dict[str, str]:
     """Key to name of the dimension: without the table of the scene, where it is clear without."""
     short = {axis.key: "bearing" if axis.key == "bearing.catalog" else _short(axis.key) for axis in axes}

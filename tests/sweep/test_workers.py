@@ -1,17 +1,16 @@
-"""Workers that are killed, here and on a cluster elsewhere: no result is lost, and no process remains."""
+"""Processes that are killed, here and on a cluster: no result is lost, no process remains, and no port is open."""
 
 import gc
-import multiprocessing
 import operator
 import os
-import re
 import signal
 import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from threading import Thread
@@ -21,11 +20,12 @@ import dask.config
 import distributed
 import pytest
 
-from analytic.errors import FembearingError, InputError
+from analytic.errors import InputError, ResourceError
 from fembearing.sweep import cluster, parts
-from fembearing.sweep.cluster import LostWorkerError, each_done
+from fembearing.sweep.cluster import each_done
 from fembearing.sweep.grid import load_grid
 from fembearing.sweep.parts import Piece
+from fembearing.sweep.processes import LostWorkerError
 from fembearing.sweep.run import run_sweep
 from tests.sweep.conftest import one_by_one
 
@@ -35,6 +35,7 @@ SCENES = "friction.coefficient = { from = 0.02, to = 0.13, count = 64 }\n"
 EACH = 8  # scenes in a piece, so that there are 8
 PATIENCE = 300.0  # s, for what takes a few; only a test that fails waits so long
 ONE_TRY = ("distributed.scheduler.allowed-failures", 0)  # before a task runs alone: fewer processes to start
+DEADLY = partial(os._exit, 3)
 
 
 def wait_until(holds: Callable[[], bool]) -> None:
@@ -44,55 +45,36 @@ def wait_until(holds: Callable[[], bool]) -> None:
         time.sleep(0.02)
 
 
-def call(task: tuple[Any, ...]) -> Any:
-    function, *arguments = task
-    return function(*arguments)
-
-
-DEADLY = (os._exit, 3)
+def children(of: int) -> Iterator[int]:
+    """Processes whose parent is this one, or was it when they were started."""
+    for folder in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            if f"\nPPid:\t{of}\n" in (folder / "status").read_text() and b"fembearing.sweep" in (folder / "cmdline").read_bytes():
+                yield int(folder.name)
 
 
 def test_a_task_that_ends_its_process_is_reported_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(cluster.SETTINGS, *ONE_TRY)
-    monkeypatch.setattr(cluster, "_draws_dashboard", lambda: True)
     monkeypatch.setenv("OMP_NUM_THREADS", "3")
     monkeypatch.delenv("MKL_NUM_THREADS", raising=False)
-    before, dashboards = dict(os.environ), []
-    numbers = [(operator.neg, number) for number in range(40)]
-    names = [(os.getenv, name) for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS")]
-    found = dict(each_done(call, [*numbers, *names, DEADLY], workers=2, announce=dashboards.append))
+    before = dict(os.environ)
+    numbers = [partial(operator.neg, number) for number in range(40)]
+    names = [partial(os.getenv, name) for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS")]
+    found = dict(each_done(operator.call, [*numbers, *names, DEADLY], workers=2))
     assert [found.pop(name) for name in names] == ["3", "1"]  # the first as the user has set it
     assert dict(os.environ) == before
     assert isinstance(found.pop(DEADLY), LostWorkerError)
-    assert found == {(function, number): -number for function, number in numbers}
-    assert not multiprocessing.active_children()
-    assert len(dashboards) == 1
-    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/status", dashboards[0])
+    assert [found[task] for task in numbers] == [-number for number in range(40)]
+    assert not [*children(os.getpid())]
 
 
-def hoard() -> None:
-    """Take 1 GB."""
-    taken = b"x" * 10**9
-    time.sleep(PATIENCE)
-    del taken
-
-
-@pytest.mark.slow
-def test_a_process_that_takes_too_much_memory_is_ended_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(cluster.SETTINGS, *ONE_TRY)
-    monkeypatch.setattr(cluster, "MEMORY", "800MB")  # less than `hoard` takes, more than a process does at rest
-    announced = []
-    found = dict(each_done(call, [(operator.neg, 7), (hoard,)], workers=1, announce=announced.append))
-    assert found[operator.neg, 7] == -7
-    assert isinstance(found[hoard,], LostWorkerError)
-    assert not announced or cluster._draws_dashboard()
-
-
-UNGUARDED = """
-import sys
-import fembearing
-fembearing.run_sweep(sys.argv[1], out=sys.argv[2])
-"""
+def test_what_a_task_prints_is_no_result_and_what_it_raises_is_raised(capfd: pytest.CaptureFixture[str]) -> None:
+    tasks = [partial(print, "aside"), partial(operator.truediv, 5, 0)]
+    results = each_done(operator.call, tasks, workers=1)
+    assert next(results) == (tasks[0], None)
+    with pytest.raises(ZeroDivisionError):
+        next(results)
+    assert capfd.readouterr() == ("", "")
+    assert not [*children(os.getpid())]
 
 
 @pytest.mark.parametrize(("workers", "expected"), [(None, 5), (3, 3), (40, 7)])
@@ -100,27 +82,15 @@ def test_there_is_a_process_for_each_core_unless_a_number_is_given(
     monkeypatch: pytest.MonkeyPatch, workers: int | None, expected: int
 ) -> None:
     """And never more of them than tasks."""
-    asked: list[int] = []
-
-    def start(**options: Any) -> None:
-        asked.append(options["n_workers"])
-        raise RuntimeError("they end at once")
-
-    monkeypatch.setattr("distributed.LocalCluster", start)
-    monkeypatch.setattr("dask.system.CPU_COUNT", 5)
-    with pytest.raises(FembearingError, match="end as soon as they start"):
-        next(each_done(operator.neg, range(7), workers=workers))
-    assert asked == [expected]
+    monkeypatch.setattr(cluster, "cores", lambda: 5)
+    started = {number for _, number in each_done(operator.call, [partial(_slow_number, each) for each in range(7)], workers=workers)}
+    assert len(started) == expected
 
 
-@pytest.mark.slow
-def test_a_script_without_a_guard_ends_with_the_line_that_it_lacks(grid_file: Write, tmp_path: Path) -> None:
-    script = tmp_path / "script.py"
-    script.write_text(UNGUARDED, "utf-8")
-    command = [sys.executable, str(script), str(grid_file(SERIES + SCENES)), str(tmp_path / "out")]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
-    assert done.returncode == 1
-    assert done.stderr.splitlines()[-1].endswith('begin a script of your own with if __name__ == "__main__":')
+def test_processes_that_cannot_start_are_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "executable", "/bin/false")
+    with pytest.raises(ResourceError, match="end as soon as they start; free some memory: finished points are kept"):
+        next(each_done(operator.neg, [7], workers=1))
 
 
 def test_a_worker_killed_once_costs_only_time_and_no_number(
