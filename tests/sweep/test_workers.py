@@ -8,8 +8,8 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import suppress
+from collections.abc import Callable
+from contextlib import closing, suppress
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -45,12 +45,21 @@ def wait_until(holds: Callable[[], bool]) -> None:
         time.sleep(0.02)
 
 
-def children(of: int) -> Iterator[int]:
-    """Processes whose parent is this one, or was it when they were started."""
+def computing(number: int) -> bool:
+    """Whether a process computes, and is not merely listed."""
+    with suppress(OSError):
+        return b"fembearing.sweep" in Path(f"/proc/{number}/cmdline").read_bytes()
+    return False
+
+
+def children(of: int) -> list[int]:
+    """The processes that compute for one."""
+    found = []
     for folder in Path("/proc").glob("[0-9]*"):
         with suppress(OSError):
-            if f"\nPPid:\t{of}\n" in (folder / "status").read_text() and b"fembearing.sweep" in (folder / "cmdline").read_bytes():
-                yield int(folder.name)
+            if f"\nPPid:\t{of}\n" in (folder / "status").read_text() and computing(int(folder.name)):
+                found.append(int(folder.name))
+    return found
 
 
 def test_a_task_that_ends_its_process_is_reported_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -64,7 +73,7 @@ def test_a_task_that_ends_its_process_is_reported_and_all_others_are_done(monkey
     assert dict(os.environ) == before
     assert isinstance(found.pop(DEADLY), LostWorkerError)
     assert [found[task] for task in numbers] == [-number for number in range(40)]
-    assert not [*children(os.getpid())]
+    assert children(os.getpid()) == []
 
 
 def test_what_a_task_prints_is_no_result_and_what_it_raises_is_raised(capfd: pytest.CaptureFixture[str]) -> None:
@@ -73,22 +82,36 @@ def test_what_a_task_prints_is_no_result_and_what_it_raises_is_raised(capfd: pyt
     assert next(results) == (tasks[0], None)
     with pytest.raises(ZeroDivisionError):
         next(results)
-    assert capfd.readouterr() == ("", "")
-    assert not [*children(os.getpid())]
+    assert capfd.readouterr() == ("", "aside\n")
+    assert children(os.getpid()) == []
 
 
-@pytest.mark.parametrize(("workers", "expected"), [(None, 5), (3, 3), (40, 7)])
+@pytest.mark.parametrize(("workers", "expected"), [(None, 2), (3, 3), (40, 4)])
 def test_there_is_a_process_for_each_core_unless_a_number_is_given(
     monkeypatch: pytest.MonkeyPatch, workers: int | None, expected: int
 ) -> None:
     """And never more of them than tasks."""
-    monkeypatch.setattr(cluster, "cores", lambda: 5)
-    started = {number for _, number in each_done(operator.call, [partial(_slow_number, each) for each in range(7)], workers=workers)}
-    assert len(started) == expected
+    monkeypatch.setattr(cluster, "cores", lambda: 2)
+    tasks = [partial(os.getpid) for _ in range(4)]
+    assert len({number for _, number in each_done(operator.call, tasks, workers=workers)}) == expected
 
 
-def test_processes_that_cannot_start_are_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sys, "executable", "/bin/false")
+@pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="the system does not list its open files")
+def test_no_port_is_open_while_tasks_are_computed() -> None:
+    def sockets(number: int) -> set[str]:
+        links = (os.readlink(file) for file in Path(f"/proc/{number}/fd").iterdir() if file.is_symlink())
+        return {link for link in links if link.startswith("socket:")}
+
+    before = sockets(os.getpid())
+    with closing(each_done(operator.call, [partial(os.getpid), partial(time.sleep, PATIENCE)], workers=2)) as results:
+        _, first = next(results)
+        assert sockets(first) == set()
+        assert sockets(os.getpid()) == before
+
+
+def test_processes_that_cannot_start_are_one_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "numpy.py").write_text("raise SystemExit(1)", "utf-8")
+    monkeypatch.syspath_prepend(str(tmp_path))
     with pytest.raises(ResourceError, match="end as soon as they start; free some memory: finished points are kept"):
         next(each_done(operator.neg, [7], workers=1))
 
@@ -102,8 +125,8 @@ def test_a_worker_killed_once_costs_only_time_and_no_number(
 
     def kill_one(share: float, _step: str) -> None:
         if 0 < share < 1 and not killed:
-            killed.append(multiprocessing.active_children()[0])
-            killed[0].kill()
+            killed.extend(children(os.getpid()))
+            os.kill(killed[0], signal.SIGKILL)
 
     found = run_sweep(path, out=tmp_path / "out", workers=1, progress=kill_one)
     assert killed
@@ -121,12 +144,12 @@ def test_points_of_a_worker_that_dies_are_tried_again_next_time(
 
     def dying(function, tasks, **_):
         for piece in tasks:
-            yield piece, LostWorkerError("killed") if piece.start in deadly else function(piece)
+            yield piece, LostWorkerError() if piece.start in deadly else function(piece)
 
     monkeypatch.setattr("fembearing.sweep.run.each_done", dying)
     first = run_sweep(path, out=out)
     assert (first.computed, first.kept, first.lost, first.failed) == (14, 0, 7, 7)
-    assert set(first.to_dataset()["failure"].sel(coefficient=0.07).values) == {"killed"}
+    assert set(first.to_dataset()["failure"].sel(coefficient=0.07).values) == {str(LostWorkerError())}
     deadly.clear()
 
     def stop(_share: float, step: str) -> None:
@@ -172,7 +195,8 @@ def test_a_sweep_stopped_or_killed_in_the_middle_continues(
     path, out = grid_file(SERIES + SCENES), tmp_path / "out"
     command = [sys.executable, "-c", HOLDING, "sweep", str(path), "--out", str(out), "--workers", "1"]
     before: dict[Path, int] = {}
-    for count, stop in enumerate((signal.SIGINT, signal.SIGKILL), start=1):
+    stops = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGKILL: -signal.SIGKILL}
+    for count, (stop, status) in enumerate(stops.items(), start=1):
         with subprocess.Popen(
             command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
         ) as process:
@@ -180,35 +204,46 @@ def test_a_sweep_stopped_or_killed_in_the_middle_continues(
             assert process.stdout.readline() == "holding\n"
             with pytest.raises(InputError, match="another sweep is at work there"):
                 run_sweep(path, out=out)
-            if stop is signal.SIGINT:
-                os.killpg(process.pid, stop)  # as a terminal does: to the workers too
-            else:
-                process.kill()
+            at_work = children(process.pid)
+            assert len(at_work) == 1
+            os.killpg(process.pid, stop)  # as a terminal does
             output, complaint = process.communicate(timeout=PATIENCE)
-            assert output == ""
-        if stop is signal.SIGINT:
-            assert process.returncode == 130
-            words = f"fembearing: stopped; finished points are in {out}; the same command continues"
-            assert complaint.split() == words.split()  # and no progress where there is no terminal
-        wait_until(lambda: not lives(process.pid))  # its workers end with it
+        assert (process.returncode, output) == (status, "")
+        words = f"fembearing: stopped; finished points are in {out}; the same command continues"
+        # And no progress where there is no terminal
+        assert complaint.split() == (words.split() if stop is signal.SIGINT else [])
+        wait_until(lambda: not computing(at_work[0]))  # noqa: B023 - called at once
         assert all(file.stat().st_mtime_ns == moment for file, moment in before.items())
-        before = {file: file.stat().st_mtime_ns for file in (out / "parts").glob("[0-9]*.npz")}
+        before = {file: file.stat().st_mtime_ns for file in (out / "parts").glob("[0-9]*")}
         assert len(before) == count * HELD
 
     monkeypatch.setattr(parts, "MOST_SCENES", EACH)
     result = run_sweep(path, out=out)
-    assert (result.kept, result.computed) == (56 * 2 * HELD, 448 - 56 * 2 * HELD)
-    assert len(in_process) == 8 - 2 * HELD
+    assert (result.kept, result.computed) == (56 * 3 * HELD, 448 - 56 * 3 * HELD)
+    assert len(in_process) == 8 - 3 * HELD
     assert all(file.stat().st_mtime_ns == moment for file, moment in before.items())
 
 
-def lives(group: int) -> bool:
-    """Whether a process of the group is alive."""
-    try:
-        os.killpg(group, 0)
-    except ProcessLookupError:
-        return False
-    return True
+BUSY = """
+import operator, time
+from functools import partial
+from fembearing.sweep.cluster import each_done
+
+for task, _ in each_done(operator.call, [partial(time.sleep, 0), partial(time.sleep, 900)], workers=2):
+    print("busy", flush=True)
+"""
+
+
+@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_a_process_ends_in_the_middle_of_its_work_with_the_one_that_started_it(stop: signal.Signals) -> None:
+    with subprocess.Popen([sys.executable, "-c", BUSY], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == b"busy\n"
+        at_work = children(process.pid)
+        assert len(at_work) == 2
+        process.send_signal(stop)
+        process.communicate(timeout=PATIENCE)
+        wait_until(lambda: not any(map(computing, at_work)))
 
 
 class Unreadable:
@@ -231,18 +266,18 @@ def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
         address = elsewhere.scheduler_address
         monkeypatch.setattr("fembearing.sweep.run.each_done", each_done)
         found = run_sweep(path, out=tmp_path / "cluster", scheduler=address)
-        tasks = [*((operator.neg, number) for number in range(4)), DEADLY]
+        tasks = [*(partial(operator.neg, number) for number in range(4)), DEADLY]
         with monkeypatch.context() as patch:
             own = os.getpid()
             versions = lambda _name: "0.0.7" if os.getpid() == own else "0.0.6"  # noqa: E731, to be sent by value
             patch.setattr(cluster, "version", versions)
             with pytest.raises(InputError, match=r"a worker has not fembearing 0\.0\.7 as here \(0\.0\.6\); install"):
-                list(each_done(call, tasks, scheduler=address))
+                list(each_done(operator.call, tasks, scheduler=address))
         with pytest.raises(InputError, match="cannot read what it is sent; its scheduler needs fembearing"):
-            list(each_done(call, [(operator.neg, Unreadable())], scheduler=address))
-        done = dict(each_done(call, tasks, scheduler=address))
-        going = each_done(call, [(operator.neg, 7), (time.sleep, 60)], scheduler=address)
-        assert next(going) == ((operator.neg, 7), -7)
+            list(each_done(operator.neg, [Unreadable()], scheduler=address))
+        done = dict(each_done(operator.call, tasks, scheduler=address))
+        going = each_done(operator.call, [tasks[3], partial(time.sleep, 60)], scheduler=address)
+        assert next(going) == (tasks[3], -3)
         elsewhere.close()
         with pytest.raises(InputError, match="the cluster went away; finished points are kept"):
             next(going)
