@@ -75,8 +75,8 @@ THREADS, SOLVER = "{} needs threadpoolctl: pip install fembearing", "{} needs sc
 PICTURES = "--out {!r} needs matplotlib: pip install fembearing"
 REFUSED = {  # by installation: what lacks a package, with what it says
     "plain": {
-        "sweep ../grid.toml --out new": SWEEP.format("dask"),
-        "import fembearing; fembearing.run_sweep('g.toml', out='o')": SWEEP.format("dask"),
+        "sweep ../grid.toml --out new": SWEEP.format("xarray"),
+        "import fembearing; fembearing.run_sweep('g.toml', out='o')": SWEEP.format("xarray"),
         "import analytic; analytic.friction_torque(analytic.load_scene('6205-dry')).to_dataset()": (
             'a dataset needs xarray: pip install "fembearing[sweep]"'
         ),
