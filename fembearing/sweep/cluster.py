@@ -62,8 +62,9 @@ def _cluster_at(address: str, function: Callable[[Any], Any]) -> Iterator[Comput
     try:
         run(wait_for(_greet(address), PATIENCE))
         client: Any = Client(address, timeout=PATIENCE, set_as_default=False)
-    except (OSError, ValueError, MemoryError) as problem:  # MemoryError: of a size that something else wrote
-        raise InputError(f"{place}: no Dask cluster answers there; start one, or check it") from problem
+    except (OSError, ValueError, TypeError, MemoryError) as problem:  # MemoryError: of a size that something else wrote
+        remedy = "start one, or check it, and of tls:// the certificates that Dask is configured with"
+        raise InputError(f"{place}: no Dask cluster answers there; {remedy}") from problem
 
     def compute(tasks: Sequence[Any]) -> Generator[tuple[Any, Any]]:
         running = dict(zip(client.map(function, tasks, pure=False), tasks, strict=True))

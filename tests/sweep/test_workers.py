@@ -3,12 +3,13 @@
 import gc
 import operator
 import os
+import shutil
 import signal
 import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import closing, suppress
 from functools import partial
 from importlib import import_module
@@ -19,6 +20,7 @@ from typing import Any
 import dask.config
 import distributed
 import pytest
+from distributed import Security
 
 from analytic.errors import InputError, ResourceError
 from fembearing.sweep import cluster, parts
@@ -27,6 +29,7 @@ from fembearing.sweep.grid import load_grid
 from fembearing.sweep.parts import Piece
 from fembearing.sweep.processes import LostWorkerError
 from fembearing.sweep.run import run_sweep
+from tests.refusals import refused
 from tests.sweep.conftest import one_by_one
 
 Write = Callable[..., Path]
@@ -253,7 +256,22 @@ class Unreadable:
         return import_module, ("nowhere",)
 
 
+@pytest.fixture
+def certified(tmp_path: Path) -> Iterator[None]:
+    """Dask configured with a certificate, the same for all."""
+    if (openssl := shutil.which("openssl")) is None:
+        pytest.skip("openssl makes the certificate")
+    files = {"cert": str(tmp_path / "cert.pem"), "key": str(tmp_path / "key.pem")}
+    made = ["-newkey", "rsa:2048", "-subj", "/CN=any", "-keyout", files["key"], "-out", files["cert"]]
+    subprocess.run([openssl, "req", "-x509", "-nodes", "-days", "2", *made], check=True, capture_output=True)
+    places = {f"{who}.{kind}": file for who in ("scheduler", "worker", "client") for kind, file in files.items()}
+    tls = {f"distributed.comm.tls.{key}": file for key, file in {"ca-file": files["cert"], **places}.items()}
+    with dask.config.set(tls):
+        yield
+
+
 @pytest.mark.slow
+@pytest.mark.usefixtures("certified")
 def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, in_process: list[Piece]
 ) -> None:
@@ -262,8 +280,10 @@ def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
     assert len(in_process) == 2
     options = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0", "silence_logs": "CRITICAL"}
     start: Any = distributed.LocalCluster
-    with dask.config.set(dict([ONE_TRY])), start(**options) as elsewhere:
+    with dask.config.set(dict([ONE_TRY])), start(**options, protocol="tls", security=Security()) as elsewhere:
         address = elsewhere.scheduler_address
+        with dask.config.set({"distributed.comm.tls.ca-file": None, "distributed.comm.tls.client.cert": None}):
+            refused(lambda: next(each_done(operator.neg, [7], scheduler=address)), "of tls:// the certificates")
         monkeypatch.setattr("fembearing.sweep.run.each_done", each_done)
         found = run_sweep(path, out=tmp_path / "cluster", scheduler=address)
         tasks = [*(partial(operator.neg, number) for number in range(4)), DEADLY]
