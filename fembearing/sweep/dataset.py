@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.columns import COLUMNS
-from fembearing.provenance import provenance_of
+from fembearing.provenance import provenance_of, without_folders
 from fembearing.sweep.grid import Axis, Grid
 from fembearing.sweep.parts import column_notes
 
@@ -69,7 +69,7 @@ def _provenance(grid: Grid, warnings: Counter[str]) -> dict[str, Any]:
     return {
         "title": f"{grid.what} of {scene.name}",
         "fembearing": origin.versions["fembearing"],
-        "grid": grid.text,
+        "grid": without_folders(grid.text),
         "first_scene": json.dumps(origin.scene_content),
         "warnings": "\n".join(most),
         **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in others.items()},

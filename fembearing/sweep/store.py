@@ -1,4 +1,4 @@
-"""The folder of a sweep: its grid, and every finished piece, each written whole or not at all.
+"""The folder of a sweep: what its grid is made of, and every finished piece, each written whole or not at all.
 
 The file name of a piece is a hash of everything that determines it: the version of the program, the scene, the files
 and the laws of traction that it names, the axes, the columns, and the points of the piece. A file of that name is
@@ -39,7 +39,6 @@ PARTS, LOCK = "parts", ".lock"
 KINDS = {GRID: S_ISREG, RESULT: S_ISREG, LOCK: S_ISREG, PARTS: S_ISDIR}
 HEIGHT_MAP, TRACTION = "surface.height_map.path", "lubricant.traction"
 LARGEST_MAP = 400_000_000  # bytes
-LARGEST_GRID = 10 * MILLION
 LONGEST = 2_000  # bytes of the words at one point
 DIGITS = 32  # of a hash in a file name
 
@@ -116,8 +115,7 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
         is_new = not description.exists()
         try:
             if is_new:
-                text = json.dumps({"made_from": hashes, "grid": grid.text}, indent=1)
-                _write(description, text.encode())
+                _write(description, json.dumps({"made_from": hashes}, indent=1).encode())
             else:
                 _require_same(description, hashes, place)
             identity = json.dumps([hashes, [*column_notes(grid)]], sort_keys=True)
@@ -196,7 +194,7 @@ def _is_free(folder: Path) -> bool:
 
 def _require_same(description: Path, hashes: dict[str, str], place: str) -> None:
     try:
-        before = json.loads(content_of(description, most=LARGEST_GRID, remedy="", linked=False))["made_from"]
+        before = json.loads(content_of(description, most=MILLION, remedy="", linked=False))["made_from"]
         changed = [name for name, digest in hashes.items() if before.get(name) != digest]
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         remedy = "give a new name, or remove the folder to start afresh"
