@@ -1,6 +1,8 @@
 """What no process of ours does: run what lies in the working folder, which may be a folder of others' files."""
 
 import operator
+import os
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -8,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from analytic.numerics.machine_code import build_process
+from analytic.processes import MODULE, environment
 from fembearing.app.check import Check
 from fembearing.report.pictures.draw import RENDERER, rendered
 from fembearing.sweep.cluster import each_done
@@ -47,3 +50,11 @@ def test_a_file_in_the_working_folder_is_not_imported(
     monkeypatch.setattr(sys, "path", [each for each in sys.path if each])
     STARTS[start](mine)
     assert [*mine.iterdir()] == []
+
+
+def test_settings_of_pictures_in_the_working_folder_are_not_read(tmp_path: Path) -> None:
+    """They could have LaTeX run. A pipe would be waited for."""
+    os.mkfifo(tmp_path / "matplotlibrc")
+    command = [*MODULE, "fembearing", "draw", "6205-dry", "--out", "new.svg"]
+    done = subprocess.run(command, cwd=tmp_path, env=environment(), capture_output=True, text=True, timeout=100)
+    assert done.returncode == 0, done.stderr
