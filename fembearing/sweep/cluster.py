@@ -6,7 +6,7 @@
 import logging
 from asyncio import run, wait_for
 from collections.abc import Callable, Generator, Iterator, Sequence
-from concurrent.futures import CancelledError
+from concurrent.futures import CancelledError, ThreadPoolExecutor
 from contextlib import contextmanager
 from importlib.metadata import version
 from typing import Any
@@ -60,10 +60,12 @@ def _cluster_at(address: str, function: Callable[[Any], Any]) -> Iterator[Comput
     place, here = f"--scheduler {address!r}", version("fembearing")
     logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # errors are reported here, in one line
     try:
-        run(wait_for(_greet(address), PATIENCE))
+        with ThreadPoolExecutor(1) as thread:  # of its own: that of a notebook has a loop already
+            thread.submit(run, wait_for(_greet(address), PATIENCE)).result()
         client: Any = Client(address, timeout=PATIENCE, set_as_default=False)
-    except (OSError, ValueError, TypeError, MemoryError) as problem:  # MemoryError: of a size that something else wrote
-        remedy = "start one, or check it, and of tls:// the certificates that Dask is configured with"
+    # MemoryError: of a size that something else wrote; the next ones: of TLS without a certificate, or not wanted
+    except (OSError, ValueError, MemoryError, TypeError, RuntimeError) as problem:
+        remedy = "start one, or check it; tls:// takes the certificates that Dask is configured with"
         raise InputError(f"{place}: no Dask cluster answers there; {remedy}") from problem
 
     def compute(tasks: Sequence[Any]) -> Generator[tuple[Any, Any]]:

@@ -1,5 +1,6 @@
 """Processes that are killed, here and on a cluster: no result is lost, no process remains, and no port is open."""
 
+import asyncio
 import gc
 import operator
 import os
@@ -283,7 +284,10 @@ def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
     with dask.config.set(dict([ONE_TRY])), start(**options, protocol="tls", security=Security()) as elsewhere:
         address = elsewhere.scheduler_address
         with dask.config.set({"distributed.comm.tls.ca-file": None, "distributed.comm.tls.client.cert": None}):
-            refused(lambda: next(each_done(operator.neg, [7], scheduler=address)), "of tls:// the certificates")
+            refused(lambda: next(each_done(operator.neg, [7], scheduler=address)), "tls:// takes the certificates")
+        with dask.config.set({"distributed.comm.require-encryption": True}):
+            plain = address.replace("tls:", "tcp:")
+            refused(lambda: next(each_done(operator.neg, [7], scheduler=plain)), "tls:// takes the certificates")
         monkeypatch.setattr("fembearing.sweep.run.each_done", each_done)
         found = run_sweep(path, out=tmp_path / "cluster", scheduler=address)
         tasks = [*(partial(operator.neg, number) for number in range(4)), DEADLY]
@@ -295,7 +299,11 @@ def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
                 list(each_done(operator.call, tasks, scheduler=address))
         with pytest.raises(InputError, match="cannot read what it is sent; its scheduler needs fembearing"):
             list(each_done(operator.neg, [Unreadable()], scheduler=address))
-        done = dict(each_done(operator.call, tasks, scheduler=address))
+
+        async def in_a_notebook() -> dict[Any, Any]:
+            return dict(each_done(operator.call, tasks, scheduler=address))
+
+        done = asyncio.run(in_a_notebook())
         going = each_done(operator.call, [tasks[3], partial(time.sleep, 60)], scheduler=address)
         assert next(going) == (tasks[3], -3)
         elsewhere.close()
