@@ -63,7 +63,6 @@ ABOVE = frozenset(
         "makers",
         "pair",
         "prediction",
-        "processes",
         "progress",
         "result",
         "scene_torque",
