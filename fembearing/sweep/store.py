@@ -2,7 +2,8 @@
 
 The file name of a piece is a hash of everything that determines it: the version of the program, the scene, the files
 and the laws of traction that it names, the axes, the columns, and the points of the piece. A file of that name is
-therefore the result of the piece, or damaged. It has a line of JSON with the words, then the numbers of each column.
+therefore the result of the piece, or damaged. It has the digest of the rest, a line of JSON with the words, and the
+numbers of each column.
 One process works on a folder at a time. No link in the folder is followed, and nothing but a regular file is opened.
 """
 
@@ -41,6 +42,7 @@ HEIGHT_MAP, TRACTION = "surface.height_map.path", "lubricant.traction"
 LARGEST_MAP = 400_000_000  # bytes
 LONGEST = 2_000  # bytes of the words at one point
 DIGITS = 32  # of a hash in a file name
+DIGEST = hashlib.sha256().digest_size
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,21 +66,25 @@ class Store:
         self.result.unlink(missing_ok=True)  # it lacks this piece
         path = self.path(piece)
         path.parent.mkdir(exist_ok=True)
-        _write(path, b"\n".join([json.dumps(words).encode(), b"".join(numbers)]))
+        content = b"\n".join([json.dumps(words).encode(), b"".join(numbers)])
+        _write(path, hashlib.sha256(content).digest() + content)
 
     def load(self, piece: Piece) -> Part | None:
         """The results of a piece; None where it is not finished, or its file is damaged, as by a power failure."""
         values = blank(self.grid, len(piece))
         most = (8 * len(values) + LONGEST) * len(piece) + MILLION
         try:
-            head, _, body = content_of(self.path(piece), most=most, remedy="", linked=False).partition(b"\n")
+            content = content_of(self.path(piece), most=most, remedy="", linked=False)
+            digest, content = content[:DIGEST], content[DIGEST:]
+            head, _, body = content.partition(b"\n")
             words: dict[str, list[str]] = json.loads(head)
             given = {name for name, column in values.items() if column.dtype == object} | {WARNINGS}
-            if words.keys() != given or not all(word.isprintable() for each in words.values() for word in each):
+            words_are_sound = all(word.isprintable() for each in words.values() for word in each)
+            if not words_are_sound or words.keys() != given or digest != hashlib.sha256(content).digest():
                 return None
             warnings = dict.fromkeys(words.pop(WARNINGS))
             numbers = [name for name in values if name not in words]
-            values |= {name: np.array(each, dtype=object).reshape(len(piece)) for name, each in words.items()}
+            values |= {name: np.array([*each], dtype=object).reshape(len(piece)) for name, each in words.items()}
             values |= zip(numbers, np.frombuffer(body, "<f8").reshape(len(numbers), len(piece)), strict=True)
         except (ValueError, TypeError, AttributeError, RecursionError):
             return None
