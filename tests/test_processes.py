@@ -52,6 +52,7 @@ def test_a_file_in_the_working_folder_is_not_imported(
     assert [*mine.iterdir()] == []
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no pipes in folders")
 def test_settings_of_pictures_in_the_working_folder_are_not_read(tmp_path: Path) -> None:
     """They could have LaTeX run. A pipe would be waited for."""
     os.mkfifo(tmp_path / "matplotlibrc")

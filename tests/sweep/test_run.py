@@ -146,6 +146,7 @@ def test_a_damaged_description_of_a_sweep_is_one_line(grid_file: Write, tmp_path
     refused(lambda: run_sweep(path, out=out), "sweep.json in it is damaged; give a new name, or remove the folder")
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no pipes in folders")
 @pytest.mark.usefixtures("in_process")
 @pytest.mark.parametrize("name", [".lock", "sweep.json", "sweep.nc", "parts"])
 @pytest.mark.parametrize("kind", ["file", "folder", "nothing", "pipe"])

@@ -20,6 +20,7 @@ from typing import Any
 
 import dask.config
 import distributed
+import psutil
 import pytest
 from distributed import Security
 
@@ -42,28 +43,19 @@ ONE_TRY = ("distributed.scheduler.allowed-failures", 0)  # before a task runs al
 DEADLY = partial(os._exit, 3)
 
 
-def wait_until(holds: Callable[[], bool]) -> None:
+def children(of: int | None = None) -> list[psutil.Process]:
+    """The processes that compute for one, by default for this one."""
+    return [each for each in psutil.Process(of).children() if "fembearing.sweep.processes" in each.cmdline()]
+
+
+def all_end(processes: list[psutil.Process]) -> bool:
+    """Whether they end in time; one that nobody waits for stays in the system's list."""
     end = time.monotonic() + PATIENCE
-    while not holds():
-        assert time.monotonic() < end
-        time.sleep(0.02)
-
-
-def computing(number: int) -> bool:
-    """Whether a process computes, and is not merely listed."""
-    with suppress(OSError):
-        return b"fembearing.sweep" in Path(f"/proc/{number}/cmdline").read_bytes()
-    return False
-
-
-def children(of: int) -> list[int]:
-    """The processes that compute for one."""
-    found = []
-    for folder in Path("/proc").glob("[0-9]*"):
-        with suppress(OSError):
-            if f"\nPPid:\t{of}\n" in (folder / "status").read_text() and computing(int(folder.name)):
-                found.append(int(folder.name))
-    return found
+    for each in processes:
+        with suppress(psutil.NoSuchProcess):
+            while each.status() != psutil.STATUS_ZOMBIE and time.monotonic() < end:
+                time.sleep(0.02)
+    return time.monotonic() < end
 
 
 def test_a_task_that_ends_its_process_is_reported_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -77,7 +69,7 @@ def test_a_task_that_ends_its_process_is_reported_and_all_others_are_done(monkey
     assert dict(os.environ) == before
     assert isinstance(found.pop(DEADLY), LostWorkerError)
     assert [found[task] for task in numbers] == [-number for number in range(40)]
-    assert children(os.getpid()) == []
+    assert children() == []
 
 
 def test_what_a_task_prints_is_no_result_and_what_it_raises_is_raised(capfd: pytest.CaptureFixture[str]) -> None:
@@ -87,7 +79,7 @@ def test_what_a_task_prints_is_no_result_and_what_it_raises_is_raised(capfd: pyt
     with pytest.raises(ZeroDivisionError):
         next(results)
     assert capfd.readouterr() == ("", "aside\n")
-    assert children(os.getpid()) == []
+    assert children() == []
 
 
 @pytest.mark.parametrize(("workers", "expected"), [(None, 2), (3, 3), (40, 4)])
@@ -100,17 +92,13 @@ def test_there_is_a_process_for_each_core_unless_a_number_is_given(
     assert len({number for _, number in each_done(operator.call, tasks, workers=workers)}) == expected
 
 
-@pytest.mark.skipif(not Path("/proc/self/fd").exists(), reason="the system does not list its open files")
 def test_no_port_is_open_while_tasks_are_computed() -> None:
-    def sockets(number: int) -> set[str]:
-        links = (os.readlink(file) for file in Path(f"/proc/{number}/fd").iterdir() if file.is_symlink())
-        return {link for link in links if link.startswith("socket:")}
-
-    before = sockets(os.getpid())
+    before = psutil.Process().net_connections("all")
     with closing(each_done(operator.call, [partial(os.getpid), partial(time.sleep, PATIENCE)], workers=2)) as results:
         _, first = next(results)
-        assert sockets(first) == set()
-        assert sockets(os.getpid()) == before
+        assert first in [each.pid for each in children()]
+        assert [each.net_connections("all") for each in children()] == [[], []]
+        assert psutil.Process().net_connections("all") == before
 
 
 def test_processes_that_cannot_start_are_one_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -129,8 +117,8 @@ def test_a_worker_killed_once_costs_only_time_and_no_number(
 
     def kill_one(share: float, _step: str) -> None:
         if 0 < share < 1 and not killed:
-            killed.extend(children(os.getpid()))
-            os.kill(killed[0], signal.SIGKILL)
+            killed.extend(children())
+            killed[0].kill()
 
     found = run_sweep(path, out=tmp_path / "out", workers=1, progress=kill_one)
     assert killed
@@ -216,7 +204,7 @@ def test_a_sweep_stopped_or_killed_in_the_middle_continues(
         words = f"fembearing: stopped; finished points are in {out}; the same command continues"
         # And no progress where there is no terminal
         assert complaint.split() == (words.split() if stop is signal.SIGINT else [])
-        wait_until(lambda: not computing(at_work[0]))  # noqa: B023 - called at once
+        assert all_end(at_work)
         assert all(file.stat().st_mtime_ns == moment for file, moment in before.items())
         before = {file: file.stat().st_mtime_ns for file in (out / "parts").glob("[0-9]*")}
         assert len(before) == count * HELD
@@ -247,7 +235,7 @@ def test_a_process_ends_in_the_middle_of_its_work_with_the_one_that_started_it(s
         assert len(at_work) == 2
         process.send_signal(stop)
         process.communicate(timeout=PATIENCE)
-        wait_until(lambda: not any(map(computing, at_work)))
+        assert all_end(at_work)
 
 
 class Unreadable:
