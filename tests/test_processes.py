@@ -53,9 +53,13 @@ def test_a_file_in_the_working_folder_is_not_imported(
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no pipes in folders")
-def test_settings_of_pictures_in_the_working_folder_are_not_read(tmp_path: Path) -> None:
+def test_settings_of_pictures_in_the_working_folder_are_not_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """They could have LaTeX run. A pipe would be waited for."""
-    os.mkfifo(tmp_path / "matplotlibrc")
+    monkeypatch.chdir(tmp_path)
+    os.mkfifo("matplotlibrc")
     command = [*MODULE, "fembearing", "draw", "6205-dry", "--out", "new.svg"]
-    done = subprocess.run(command, cwd=tmp_path, env=environment(), capture_output=True, text=True, timeout=100)
+    done = subprocess.run(command, env=environment(), capture_output=True, text=True, timeout=100)
     assert done.returncode == 0, done.stderr
+    assert rendered([], RENDERER) is None

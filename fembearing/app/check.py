@@ -12,6 +12,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 from analytic.errors import FembearingError
+from analytic.processes import ignore_settings
 from analytic.writing import new_folder
 from fembearing.app.scene_edit import ORIGIN
 
@@ -91,6 +92,7 @@ def run(text: str, folder: str, tells: Connection) -> None:
     """Check the scene, and tell (share, step, problem, report). The process of a `Check` runs it."""
     if GROUPED:
         os.setpgid(0, 0)  # so that the process that draws the pictures ends with it
+    ignore_settings()
     try:
         from analytic.scenefile.read import parse_scene
         from fembearing.check.validation import check_scene

@@ -11,12 +11,11 @@ import gc
 import os
 import sys
 from collections.abc import Callable
-from contextlib import chdir, suppress
-from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
+from analytic.processes import ignore_settings
 from fembearing.cli import (
     compare,
     contact,
@@ -95,9 +94,7 @@ def main() -> None:
     """Run the command line; `boundary` has what becomes of failures."""
     # Before NumPy is loaded: the threads of its BLAS take 0.3 s of the processor to start, and solvers use one.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    if os.path.lexists("matplotlibrc"):  # perhaps of others: it can make pictures run LaTeX, which reads any file
-        with chdir(Path(__file__).parent), suppress(ImportError):
-            import matplotlib  # noqa: F401 - it reads its settings once
+    ignore_settings()
     gc.set_threshold(OBJECTS)
     atexit.register(gc.freeze)  # at its end Python would search all objects once more, for up to 0.2 s
     examples = {name: example for name, (_, example) in COMMANDS.items()}
