@@ -12,7 +12,7 @@ BROUGHT_BY = {
     "skfem": ("scikit-fem", ""),
     "threadpoolctl": ("threadpoolctl", ""),
     **{name: (name, "") for name in ("jinja2", "matplotlib", "meshio", "pyvista")},
-    **{name: (name, "sweep") for name in ("dask", "distributed", "netCDF4", "pandas", "xarray")},
+    **{name: (name, "sweep") for name in ("dask", "distributed", "netCDF4", "openpyxl", "pandas", "xarray")},
     "nicegui": ("nicegui", "app"),
 }
 

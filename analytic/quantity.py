@@ -24,10 +24,11 @@ FACTOR = r"(?:[A-Za-zµμ°Ω][A-Za-z_µμ°Ω]{0,29}|%)(?:(?:\^|\*\*)?-?\d)?"
 UNIT = rf"(?:1? */ *)?{FACTOR}(?: *[*/·] *{FACTOR}| +{FACTOR})*"
 QUANTITY = re.compile(rf" *({NUMBER}) *({UNIT}|\") *", re.ASCII)
 LONGEST = 80  # characters; limits the time of a match
-RAISED = {"⁻¹": "^-1", "²": "^2", "³": "^3"}
+RAISED = {"⁻¹": "^-1", "²": "^2", "³": "^3", "\N{DOT OPERATOR}": "·"}
 
 # Units without their spaces, as people write them; pint does not know them or means something else.
-SPELLINGS = {'"': "inch", "kp": "kgf"}
+SPELLINGS = {'"': "inch", "kp": "kgf", "Pas": "Pa s", "mPas": "mPa s"}
+SPELLINGS |= {"Nm": "N m", "Ncm": "N cm", "Nmm": "N mm", "kNm": "kN m", "mNm": "mN m"}
 IN_CONTEXT = {  # names in small letters, for keys of each SI unit. "mN" and "MN" differ by their case alone.
     "K": {"c": "degC", "°c": "degC", "degc": "degC", "f": "degF", "°f": "degF", "degf": "degF", "k": "K"},
     "N": {"n": "N", "kn": "kN"},
@@ -44,11 +45,6 @@ MISTAKEN = {
     "kg": ("kgf", "kg is a mass"),
     "lb": ("lbf", "lb is a mass"),
     "lbs": ("lbf", "lbs is a mass"),
-    "Nm": ("N m", "units stand apart"),
-    "Nmm": ("N mm", "units stand apart"),
-    "kNm": ("kN m", "units stand apart"),
-    "Pas": ("Pa s", "units stand apart"),
-    "mPas": ("mPa s", "units stand apart"),
 }
 
 
@@ -205,10 +201,11 @@ class Dimension:
 
     def known_unit(self, written: str) -> Unit:
         """The unit that is written. Raises ValueError for one that is unknown or of another kind."""
-        match = QUANTITY.fullmatch(_plain_powers(self.tidy(f"1 {written}")))  # `unit_of` passes over other signs
+        short = written if len(written) < LONGEST else ""
+        match = QUANTITY.fullmatch(_plain_powers(self.tidy(f"1 {short}")))  # `unit_of` passes over other signs
         unit, remedy = None if match is None else self._unit(match[2]), self._remedy(written)
         if unit is None:
-            raise ValueError(f"has the unknown unit {written!r}{remedy}")
+            raise ValueError(f"has the unknown unit {written[:LONGEST]!r}{remedy}")
         if unit.powers != self._si.powers:
             raise ValueError(f"is not {self._kind}{remedy}")
         return unit

@@ -636,6 +636,7 @@ class MeasuredTorque(Noun):
     radial_load: Array | None = None  # N
     temperature: Array | None = None  # of the oil at the inlets, K
     oils: Mapping[float, Lubricant] = field(default_factory=nothing)  # by temperature, K, as the scene's file has them
+    warnings: tuple[str, ...] = ()  # on how the file was read
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -28,21 +28,6 @@ PACKAGES = (
     "netCDF4",
 )
 
-# Keys whose values may differ between two runs of one scene with the same seeds; the rest of the JSON is the same.
-TIMES = (
-    "seconds",
-    "production_seconds",
-    "evaluation_seconds",
-    "spread",
-    "warm_up",
-    "predicted",
-    "price",
-    "chosen",
-    "choices",
-)  # and choices that depend on them
-MEMORY = ("memory", "peak_memory")
-ORIGIN = ("date", "command", "python", "platform", "processor", "cores", "versions")
-VARYING = frozenset((*TIMES, *MEMORY, *ORIGIN))
 # Folders of an absolute path, alone or in KEY=PATH: a result names no user and no machine.
 FOLDERS = re.compile(r"""(^|[="'])([A-Za-z]:)?[/\\][^"\n]*[/\\]""")
 
@@ -97,13 +82,6 @@ def without_folders(content: Any) -> Any:
     if isinstance(content, list):
         return [without_folders(value) for value in content]
     return FOLDERS.sub(r"\1", content) if isinstance(content, str) else content
-
-
-def repeatable(content: Any) -> Any:
-    """The JSON of a result without the values that may differ in another run."""
-    if isinstance(content, dict):
-        return {key: repeatable(value) for key, value in content.items() if key not in VARYING}
-    return [repeatable(value) for value in content] if isinstance(content, list) else content
 
 
 def _version(package: str) -> str | None:

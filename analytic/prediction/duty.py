@@ -119,8 +119,8 @@ def duty_cycle(
         What `load_scene` reads. What a step does not say is that of the scene; a bearing of the catalog has no usual
         load beside the loads of the steps.
     cycle : str or path
-        CSV file, each column with its unit: duration, and one or more of inner_speed, axial_load, radial_load and
-        temperature (docs/how-to/duty-cycle.md).
+        CSV or .xlsx file, each column with its unit: duration, and one or more of inner_speed, axial_load, radial_load
+        and temperature (docs/how-to/duty-cycle.md).
     **given : float, str, list or mapping
         With a name, the other arguments of `load_scene`, as settings={"lubricant.supply": "grease"}.
 
@@ -167,7 +167,7 @@ def cycle_with_torques(found: SceneByTemperature, cycle: Cycle) -> tuple[DutyCyc
         **_of_cycle(steps, computed),
         worst_step=int(np.argmax(computed.torque)),
         steady=steady,
-        warnings=computed.warnings,
+        warnings=(*cycle.warnings, *computed.warnings),
         seconds=perf_counter() - begun,
     )
     return result, computed.results

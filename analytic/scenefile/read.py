@@ -149,8 +149,8 @@ def load_scene(
     scene : str or path
         A file, a built-in scene as "6205-dry", or a bearing of the catalog as "6206".
     measured : str or path, optional
-        CSV file of measured torques, in place of the scene's [measured]; None: that one, if there is one. A bearing of
-        the catalog has no usual load beside the loads of this file.
+        CSV or .xlsx file of measured torques, in place of the scene's [measured]; None: that one, if there is one. A
+        bearing of the catalog has no usual load beside the loads of this file.
     settings : mapping of str to value, optional
         Values by keys of a scene, as {"lubricant.supply": "grease"}, in place of the scene's own: numbers in SI, texts
         as they are typed ("60C", "2,5 kN"), quantities, or lists.

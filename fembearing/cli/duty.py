@@ -9,7 +9,9 @@ from fembearing.cli.status import STANDING_STATUS
 
 CycleFile = Annotated[
     str,
-    typer.Argument(metavar="CYCLE", help="CSV file of the steps: duration and operating columns, each with its unit."),
+    typer.Argument(
+        metavar="CYCLE", help="CSV or .xlsx file of the steps: duration and operating columns, each with its unit."
+    ),
 ]
 
 
@@ -47,5 +49,5 @@ def duty(given: Given, output: Output, talk: Talk, scene: Named, cycle: CycleFil
         tell_assumed({key: value for key, value in found.scene.usual.items() if key not in settled})
         if output.folder is not None:
             out.tell(f"folder: {output.folder}")
-    talk.warn(result.warnings, read=found.scene.warnings)
+    talk.warn(result.warnings, read=(*found.scene.warnings, *steps.warnings))
     raise typer.Exit(STANDING_STATUS[standing.word])

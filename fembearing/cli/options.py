@@ -222,7 +222,8 @@ SceneNames = Annotated[
     list[str] | None,
     typer.Argument(
         metavar="SCENE",
-        help=f"{OF_SCENE} (default: the built-in paper_6205). Several are compared.",
+        help=f"{OF_SCENE}, or a list of bearings, .csv or .xlsx (default: the built-in paper_6205). Several are "
+        "compared.",
         autocompletion=scene_names_like,
     ),
 ]
@@ -272,8 +273,8 @@ def require_folder_name(folder: Path | None, *, option: str) -> None:
 
 
 def require_scene_first(command: str, scene: str, data: str | None) -> None:
-    """Raises InputError for a CSV file in the place of the scene."""
-    if scene.casefold().endswith(".csv"):
+    """Raises InputError for a table in the place of the scene."""
+    if scene.casefold().endswith((".csv", ".xlsx")):
         from analytic.errors import InputError
 
         order = f"fembearing {command} {data or 'SCENE'} {scene}"

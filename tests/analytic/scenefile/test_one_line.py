@@ -187,11 +187,6 @@ def test_a_range_is_the_list_that_it_stands_for() -> None:
     refused(lambda: load_scene("6206", speed="1 rpm to 9 rpm in 3", axial_load="1 N to 9 N in 4"), "equal lengths")
 
 
-def test_an_option_beside_a_scene_object_is_refused() -> None:
-    scene = load_scene("6308")
-    refused(lambda: friction_torque(scene, speed="3 rpm"), "speed", "designation", "replace")
-
-
 @pytest.mark.parametrize("text", ["lubricant.supply", "=grease", "lubricant.supply=", ""])
 def test_a_setting_needs_key_and_value(text: str) -> None:
     refused(lambda: typed_settings([text]), "--set", "KEY=VALUE")
