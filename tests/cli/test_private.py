@@ -42,6 +42,9 @@ def test_no_output_names_the_home_the_user_or_the_host(
     np.save(home / "map.npy", 1e-7 * np.random.default_rng(3).standard_normal((64, 64)))
     for text in (home / "mapped.toml", home / "grid.toml"):
         text.write_text(text.read_text("utf-8").replace("PATH", f"{home}/map.npy"), "utf-8")
+    for table in (home / "measured.csv", home / "cycle.csv"):  # with a column that is not read
+        head, *rows = table.read_text("utf-8").splitlines()
+        table.write_text("\n".join([f"{head},remark", *(f"{row},none" for row in rows)]), "utf-8")
     for variable in ("USER", "LOGNAME", "USERNAME"):
         monkeypatch.setenv(variable, "zaphod")
     for function in ("socket.gethostname", "platform.node"):
