@@ -32,6 +32,7 @@ import numpy as np
 
 from analytic.errors import FembearingError
 from analytic.numerics.compilation import EXACT, Compiled, Freedoms
+from analytic.processes import MODULE, environment
 
 ENTRIES = (  # of a wheel, the longest one first
     "analytic.solve.kernel.solve",
@@ -142,10 +143,8 @@ def loaded(entry: Entry, family: str | None = None) -> Callable[..., int]:
 
 def build_process(names: Iterable[str], families: Iterable[str], folder: Path) -> "subprocess.Popen[bytes]":
     """`building.build` in a process of its own, which alone loads the compiler."""
-    path = os.pathsep.join(filter(None, (str(PACKAGE.parent), *sys.path)))
-    # Optimised once, as a whole, the code is as fast, and built sooner.
-    around = {**os.environ, "PYTHONPATH": path, "NUMBA_OPT": "0"}
-    return subprocess.Popen([sys.executable, "-P", "-m", BUILDER, str(folder), *families, "of", *names], env=around)
+    around = environment() | {"NUMBA_OPT": "0"}  # optimised once, as a whole, the code is as fast, and built sooner
+    return subprocess.Popen([*MODULE, BUILDER, str(folder), *families, "of", *names], env=around)
 
 
 def families() -> tuple[str, ...]:

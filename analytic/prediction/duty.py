@@ -11,6 +11,7 @@ import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from pathlib import Path
 from time import perf_counter
 from typing import Annotated, Any, NamedTuple, Unpack
 
@@ -162,7 +163,7 @@ def cycle_with_torques(found: SceneByTemperature, cycle: Cycle) -> tuple[DutyCyc
     computed = _computed(found, steps, with_interval=True)
     result = DutyCycle(
         scene=found.scene.name,
-        file=cycle.file,
+        file=Path(cycle.file).name,
         steps=tuple(_rows(found.scene, steps, computed)),
         duration=float(steps.duration.sum()),
         **_of_cycle(steps, computed),

@@ -160,7 +160,9 @@ class Columns:
             rows.append((place, [self._cell(place, each, _at(line, each), sign) for each in columns]))
         names = ", ".join(plain(each.head) for each in others[:MOST_NAMES])
         more = f" and {len(others) - MOST_NAMES} more" if len(others) > MOST_NAMES else ""
-        return Rows(columns, rows, (f"{file}: columns that are not read: {names}{more}",) if others else ())
+        return Rows(
+            columns, rows, (f"{os.path.basename(file)}: columns that are not read: {names}{more}",) if others else ()
+        )
 
     def _column(self, place: int, head: str) -> Column:
         """The column under a head."""

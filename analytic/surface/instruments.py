@@ -16,6 +16,7 @@ from zipfile import ZipFile, is_zipfile
 import numpy as np
 
 from analytic.errors import InputError
+from analytic.processes import MODULE, environment
 from analytic.reading import require_regular
 from analytic.surface.map_data import MapData, require_matrix
 from analytic.words import plain
@@ -49,9 +50,8 @@ def instrument_map(path: str | os.PathLike[str], kind: str = "") -> MapData:
         raise InputError(
             f"needs SurfaceTopography, which is not installed: pip install 'fembearing[profilometer]', or {AGAIN}"
         )
-    # -P: nothing is imported from the working folder, which may be a stranger's
-    command = [sys.executable, "-P", "-m", __name__, os.path.abspath(path), kind or FORMATS[Path(path).suffix.lower()]]
-    around = os.environ | {"OPENBLAS_NUM_THREADS": "1"}  # each thread reserves memory
+    command = [*MODULE, __name__, os.path.abspath(path), kind or FORMATS[Path(path).suffix.lower()]]
+    around = environment() | {"OPENBLAS_NUM_THREADS": "1"}  # each thread reserves memory
     try:
         ended = subprocess.run(command, capture_output=True, check=False, timeout=PATIENCE, env=around)
     except subprocess.TimeoutExpired as problem:

@@ -4,6 +4,7 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from itertools import chain
+from pathlib import Path
 from statistics import fmean, stdev
 from time import perf_counter
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
@@ -160,7 +161,7 @@ def compare_measured(
     mean_error, scatter = fmean(relative), stdev(relative) if len(relative) > 1 else None
     return MeasuredComparison(
         scene=scene.name,
-        file=measured.file,
+        file=Path(measured.file).name,
         rows=rows,
         inside=sum(row.verdict == "inside" for row in rows),
         mean_error=mean_error,
