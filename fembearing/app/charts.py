@@ -22,7 +22,9 @@ NEUTRAL = "#8a8f98"  # seen on a light and on a dark page
 TEXT = {"textBorderWidth": 0}  # ECharts draws a light border around letters
 OUTLINE = 81  # points of half an ellipse
 BESIDE = 1.15  # of the distance to a shoulder that is shown
-AROUND = 1.4  # of half an ellipse that is shown
+AROUND = 1.1  # of half an ellipse that is shown at least
+ACROSS, ALONG = 250, 84  # pixels of the room around an ellipse, so that the ratio of its scales is known
+STEPS = 1.0, 2.0, 5.0  # of a scale, times powers of ten
 LINE = {"type": "line", "symbol": "none"}
 INSIDE = {"top": 12, "left": 12, "right": 20, "bottom": 40, "containLabel": True}
 LEGEND = {"bottom": 0, "left": "center", "itemWidth": 16, "itemHeight": 10, "itemGap": 12}
@@ -148,15 +150,20 @@ def ellipse_options(contact: Contact, point: Point, units: Units) -> Options:
     label = {"formatter": "shoulder", "color": NEUTRAL, **TEXT}
     look = {"lineStyle": {"color": NEUTRAL, "type": "solid", "width": 2}, "label": label}
     series[0]["markLine"] = {"symbol": "none", "silent": True, "data": shoulders, **look}
-    ends = {"axisLabel": {"showMinLabel": False, "showMaxLabel": False}}
-    most = AROUND * half
+    low, high = (BESIDE * edge for edge in edges)
+    scale = (high - low) / ACROSS  # of a pixel, across
+    power = 10 ** np.floor(np.log10(AROUND * half))
+    step = power * max(each for each in STEPS if each * power <= AROUND * half)
+    most = step * np.ceil(AROUND * half / step)
+    ratio = max(1, int(ALONG * scale / (2 * most)))
+    ends = {"axisLabel": {"showMinLabel": False, "showMaxLabel": False, "hideOverlap": True}}
+    across_words = f"across the groove, {unit.name}; rolling {ratio} times larger"
     return {
         "animation": False,
-        "grid": {**INSIDE, "top": 24, "left": 28, "bottom": 30},
-        "xAxis": {**AXIS, **ends, "name": f"across the groove, {unit.name}", "nameGap": 24}
-        | {"min": _short(BESIDE * edges[0]), "max": _short(BESIDE * edges[1])},
-        "yAxis": {**AXIS, **ends, "name": f"rolling, {unit.name}", "nameGap": 38, "splitNumber": 2}
-        | {"min": -_short(most), "max": _short(most)},
+        "grid": {"width": ACROSS, "height": round(2 * most * ratio / scale), "left": "center", "top": 24},
+        "xAxis": {**AXIS, **ends, "name": across_words, "nameGap": 24} | {"min": _short(low), "max": _short(high)},
+        "yAxis": {**AXIS, "axisLabel": {"hideOverlap": True}, "name": f"rolling, {unit.name}", "nameGap": 38}
+        | {"min": -_short(most), "max": _short(most), "interval": _short(step)},
         "series": series,
     }
 

@@ -107,13 +107,14 @@ class CheckPanel:
 
 
 def _show_report(report: "Report", address: str) -> None:
-    """Verdict, pictures and tables as the report itself has them, and where it is."""
+    """Headline, pictures and tables as the report itself has them, and where it is."""
     from fembearing.report.page.document import shown
     from fembearing.report.sections.contacts import contacts_section
     from fembearing.report.sections.creep import creep_section
     from fembearing.report.sections.film import film_section
+    from fembearing.report.sections.headline import check_headline
 
-    ui.label(report.verdict.words)
+    ui.html(shown(check_headline(report)), sanitize=False)
     ui.link("The whole report", f"{address}/report.html", new_tab=True)
     with ui.element("div").classes("pictures"):
         for picture in report.pictures:
