@@ -91,12 +91,12 @@ def run(text: str, folder: str, tells: Connection) -> None:
     if GROUPED:
         os.setpgid(0, 0)  # so that the process that draws the pictures ends with it
     try:
-        from analytic.prediction.steady import at_steady_temperature
+        from analytic import steady_scene
         from analytic.scenefile.read import parse_by_temperature
         from fembearing.check.validation import check_scene
         from fembearing.report.folder import CHECKED, write_report
 
-        scene = at_steady_temperature(parse_by_temperature(text, origin=ORIGIN))
+        scene = steady_scene(parse_by_temperature(text, origin=ORIGIN))
         with new_folder(Path(folder), force=False) as made:
             result = check_scene(scene, progress=lambda share, step: tells.send((CHECKED * share, step, "", None)))
             tells.send((CHECKED, "report", "", None))

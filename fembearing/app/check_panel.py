@@ -127,7 +127,7 @@ def _show_report(report: "Report", address: str) -> None:
 
 def _figure(picture: "PictureFile", address: str) -> str:
     words = escape(f"{picture.kind}, {picture.pair}, {picture.geometry}")
-    shown = f'<img src="{address}" alt="{words}" loading="lazy">'
+    shown = f'<img src="{address}" alt="{words}">'
     if picture.kind == "view":
         shown = f'<iframe src="{address}" title="{words}, to turn" loading="lazy"></iframe>'
     return f"<figure>{shown}<figcaption>{escape(picture.caption)}</figcaption></figure>"

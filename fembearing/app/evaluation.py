@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
+from analytic import steady_scene
 from analytic.columns import Point
 from analytic.declared import Key
 from analytic.errors import FembearingError
-from analytic.prediction.steady import at_steady_temperature
 from analytic.scene import Array, Contact, Material, Scene
 from analytic.scene_torque import with_interval
 from analytic.scenefile.keys import Values, scene_key
@@ -96,7 +96,7 @@ class Evaluation:
 def at_once(text: str) -> Evaluation:
     """The torque of the scene that a text describes, without its interval. Raises InputError as the command does."""
     read = parse_by_temperature(text, origin=ORIGIN)
-    scene = at_steady_temperature(read)
+    scene = steady_scene(read)
     result = torque_of_scene(scene, estimate=False)
     point, contacts, reason = int(np.argmax(result.friction.torque.total)), {}, ""
     here = scene.operation.as_series().at(np.array([point])).points

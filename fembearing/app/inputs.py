@@ -114,8 +114,9 @@ class Inputs:
                 field.props["placeholder"] = words
                 continue
             words = "derived" if key in self.page.values else words.replace("_", " ")
-            if field.options[""] != words:
-                field.set_options({**field.options, "": words})
+            options = dict(field.options)
+            if options[""] != words:
+                field.set_options({**options, "": words})
 
     def complain(self, problem: str, key: str | None) -> None:
         """Show a problem beside its field, or beside the scene; an empty one takes the last away."""
