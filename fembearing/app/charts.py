@@ -24,7 +24,7 @@ OUTLINE = 81  # points of half an ellipse
 BESIDE = 1.15  # of the distance to a shoulder that is shown
 AROUND = 1.1  # of half an ellipse that is shown at least
 ACROSS, ALONG = 250, 84  # pixels of the room around an ellipse, so that the ratio of its scales is known
-STEPS = 1.0, 2.0, 5.0  # of a scale, times powers of ten
+STEPS, FINE = (1.0, 2.0, 5.0), 1.5  # of a scale, times powers of ten; least number of steps beside the middle
 LINE = {"type": "line", "symbol": "none"}
 INSIDE = {"top": 12, "left": 12, "right": 20, "bottom": 40, "containLabel": True}
 LEGEND = {"bottom": 0, "left": "center", "itemWidth": 16, "itemHeight": 10, "itemGap": 12}
@@ -86,9 +86,8 @@ def curve_options(results: Sequence[SceneTorque], units: Units, *, marked: float
     total = unit.number(axis.columns["torque_total"]).tolist()
     look = {"lineStyle": {"width": 2.5, "color": BLUE}, "itemStyle": {"color": BLUE}, "symbol": "circle"}
     line = {**LINE, **look, "symbolSize": 5, "name": "torque", "data": _pairs(x, total)}
-    if marked is not None:
-        at = {"xAxis": units.speed.number(abs(marked)), "label": {"show": False}}
-        line["markLine"] = {"symbol": "none", "silent": True, "lineStyle": {"color": NEUTRAL}, "data": [at]}
+    at = [] if marked is None else [{"xAxis": units.speed.number(abs(marked)), "label": {"show": False}}]
+    line["markLine"] = {"symbol": "none", "silent": True, "lineStyle": {"color": NEUTRAL}, "data": at}
     shades = [{"name": each["name"], "icon": "rect"} for each in series if "areaStyle" in each]
     heading = COLUMNS["torque"].heading(units)
     return {
@@ -152,9 +151,10 @@ def ellipse_options(contact: Contact, point: Point, units: Units) -> Options:
     series[0]["markLine"] = {"symbol": "none", "silent": True, "data": shoulders, **look}
     low, high = (BESIDE * edge for edge in edges)
     scale = (high - low) / ACROSS  # of a pixel, across
-    power = 10 ** np.floor(np.log10(AROUND * half))
-    step = power * max(each for each in STEPS if each * power <= AROUND * half)
-    most = step * np.ceil(AROUND * half / step)
+    least = AROUND * half
+    power = 10 ** np.floor(np.log10(least / FINE))
+    step = power * max(each for each in STEPS if each * power <= least / FINE)
+    most = step * np.ceil(least / step)
     ratio = max(1, int(ALONG * scale / (2 * most)))
     ends = {"axisLabel": {"showMinLabel": False, "showMaxLabel": False, "hideOverlap": True}}
     across_words = f"across the groove, {unit.name}; rolling {ratio} times larger"

@@ -110,10 +110,16 @@ def at_once(text: str) -> Evaluation:
 
 def derived_values(values: Values, scene: Scene) -> dict[str, str]:
     """What a scene has for every field, given or not, by their keys;  values : of the keys in its text, and by rules"""
-    cage, tilt, found = scene.cage, scene.operation.held_tilt, {}
-    seen = {  # that have no attribute of their name
+    bearing, cage, pair, tilt, found = scene.bearing, scene.cage, scene.arrangement, scene.operation.held_tilt, {}
+    seen = {  # that have no attribute of their name, or none before others say it
+        "arrangement.distance": pair and (pair.distance or bearing.width),
+        "bearing.clearance": None
+        if bearing.kind == "thrust"
+        else scene.clearances.unmounted
+        if scene.clearances
+        else bearing.diametral_clearance,
         "cage.pocket_clearance": cage and cage.pocket_diameter - values["bearing.ball_diameter"],
-        "operation.tilt": "free" if np.isnan(tilt) else tilt,
+        "operation.tilt": "free" if pair or np.isnan(tilt) else tilt,
     }
     for path in FIELDS:
         value = values[path]

@@ -5,6 +5,7 @@ import re
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any
 
 from analytic import catalog, scene_text
@@ -113,6 +114,8 @@ def with_typed(text: str, key: str, typed: str) -> tuple[str, list[str]]:
     if not typed.strip():
         return with_value(text, key, None), []
     value, notes = read_setting(key, typed)
+    if isinstance(value, float) and not isfinite(value):  # refused, and no number of JSON
+        scene_key(key).read_as(f"{ORIGIN}: {key}", value)
     return with_value(text, key, value), notes
 
 

@@ -72,6 +72,7 @@ async def test_the_headline_is_that_of_the_command(opened, settled, monkeypatch:
     [
         (LOAD, "radial_load", "5 kg"),
         (LOAD, "radial_load", "500"),
+        (LOAD, "radial_load", "nan"),
         (LOAD, "radial_load", "1,500 N"),
         (SPEED, "speed", "1,500"),
         (SPEED, "speed", "12 Hz"),

@@ -101,6 +101,8 @@ def test_an_empty_field_shows_what_the_torque_is_computed_with(key: str) -> None
 
 
 def test_an_empty_field_shows_the_seals_and_the_cage_of_the_designation() -> None:
+    angular = at_once(scene_text("7208B"))
+    assert angular.derived["bearing.clearance"] == f"{1e6 * angular.result.scene.bearing.diametral_clearance:g} um"
     found = at_once(scene_text("6305-2RS"))
     scene = found.result.scene
     assert scene.losses.seals
