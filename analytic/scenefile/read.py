@@ -103,10 +103,23 @@ class SceneByTemperature:
         return self.scene
 
     def at(self, temperature: float) -> Scene:
-        """The scene with its oil at a temperature, K.
+        """The scene with its oil at another temperature.
 
-        Raises InputError for another temperature than the scene's without the table of an oil, with a viscosity that
-        replaces that of a named oil at one temperature, and beyond the oil's data.
+        Parameters
+        ----------
+        temperature : float
+            Of the oil, K.
+
+        Returns
+        -------
+        Scene
+            Otherwise the same.
+
+        Raises
+        ------
+        InputError
+            Another temperature than the scene's without the table of an oil, with a viscosity that replaces that of a
+            named oil at one temperature, or beyond the oil's data.
         """
         if self.scene.lubricant is not None and temperature == self.scene.lubricant.temperature:
             return self.scene

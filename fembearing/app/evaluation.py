@@ -125,7 +125,8 @@ def derived_values(values: Values, scene: Scene) -> dict[str, str]:
         value = values[path]
         if value is None:
             value = seen.get(path, reduce(lambda it, name: getattr(it, name, None), path.split("."), scene))
-        found[path] = _written(scene_key(path), value)
+        is_dry = path.startswith("lubricant.") and scene.lubricant is None  # though the keys have defaults
+        found[path] = _written(scene_key(path), None if is_dry else value)
     return found
 
 

@@ -210,6 +210,7 @@ def test_the_lines_of_a_scene_say_what_is_not_known() -> None:
     dry = at_once(DRY)
     assert dry.lines["film"] == "film: not computed without oil and surface"
     assert dry.number("lubricant.temperature") is None
+    assert dry.derived["lubricant.supply"] == "none"
     assert dry.number("operation.radial_load") == 2000.0
     assert one.number("lubricant.temperature") == present(one.result.scene.lubricant).temperature
 
