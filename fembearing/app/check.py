@@ -94,11 +94,12 @@ def run(text: str, folder: str, tells: Connection) -> None:
         os.setpgid(0, 0)  # so that the process that draws the pictures ends with it
     ignore_settings()
     try:
-        from analytic.scenefile.read import parse_scene
+        from analytic import steady_scene
+        from analytic.scenefile.read import parse_by_temperature
         from fembearing.check.validation import check_scene
         from fembearing.report.folder import CHECKED, write_report
 
-        scene = parse_scene(text, origin=ORIGIN)
+        scene = steady_scene(parse_by_temperature(text, origin=ORIGIN))
         with new_folder(Path(folder), force=False) as made:
             result = check_scene(scene, progress=lambda share, step: tells.send((CHECKED * share, step, "", None)))
             tells.send((CHECKED, "report", "", None))
