@@ -48,8 +48,8 @@ class CheckPanel:
         self._show()
 
     def follow(self, text: str) -> None:
-        """Say whether the report is that of this scene, which has a torque."""
-        self.saves.enable()
+        """Say whether the report is that of this scene."""
+        self.saves.set_enabled(self.page.evaluation is not None)
         if self.check is not None and self.check.is_done:
             self.said.text = "checked" if self.check.text == text else "Report of an earlier scene."
 
@@ -98,8 +98,8 @@ class CheckPanel:
         self.starts.set_enabled(not runs)
         self.cancels.set_visibility(runs)
         self.bar.set_visibility(runs)
-        self.saves.set_enabled(self.page.evaluation is not None)
         self.said.text = "" if check is None else check.problem or check.step
+        self.follow(self.page.text)
         self.report.clear()
         if check is not None and check.report is not None:
             with self.report:
