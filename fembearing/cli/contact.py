@@ -22,7 +22,10 @@ from fembearing.cli.options import (
 from fembearing.cli.status import reached
 
 if TYPE_CHECKING:
+    from analytic.progress import Progress
     from analytic.scene import Scene
+    from fembearing.check.contact.solution import ContactSolution
+    from fembearing.check.contact.subsurface import SubsurfaceComparison
 
 
 Loads = Annotated[
@@ -69,11 +72,7 @@ def contact(
     from analytic.errors import InputError
 
     if mesh is not None:
-        for option, asked in (("--tolerance", tolerance), ("--out", output.folder)):
-            if asked is not None:
-                raise InputError(f"{option} {str(asked)!r} does not go with --mesh, which solves nothing: leave it out")
-        if len(loads) > 1:
-            raise InputError(f"--mesh takes one --load, and there are {len(loads)}: give one")
+        _require_mesh_only({"--tolerance": tolerance, "--out": output.folder}, loads)
         meshes = _write_meshes(read, mesh, pair=pair, geometry=geometry, load=loads[0] if loads else None, level=level)
         _show_meshes(meshes, read, talk, as_json=as_json)
         return
@@ -83,7 +82,6 @@ def contact(
     from fembearing.check.contact.load_series import solve_load_series
     from fembearing.check.contact.refinement import COMPARED
     from fembearing.check.contact.solution import SHOWN_OF_A_SHEET, solve_contact
-    from fembearing.check.contact.subsurface import compare_subsurface
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document, json_of
     from fembearing.report.files import solution_files, write_all
@@ -101,12 +99,7 @@ def contact(
             if place is not None:
                 write_all({"contact.json": json_of("load series", found)}, place)
         else:
-            result, below = solve_contact(read, load=loads[0] if loads else None, **settings), None
-            progress(0.8, f"{result.contact.pair}: stress under the contact")
-            try:
-                below = compare_subsurface(result)
-            except InputError as problem:  # a contact cut off at a shoulder: everything else is known
-                result = result.with_numbers(warnings=(*result.numbers.warnings, str(problem)))
+            result, below = _with_stress(solve_contact(read, load=loads[0] if loads else None, **settings), progress)
             found = result.numbers
             sections = contact_sections(found, below, units)
             content = document("contact", found, accuracy=limit, subsurface=below)
@@ -120,6 +113,31 @@ def contact(
         talk.warn(found.warnings, read=read.warnings)
     worst = max(unsure, key=lambda name: unsure[name])
     raise typer.Exit(reached(limit, worst, unsure[worst]))
+
+
+def _with_stress(
+    result: "ContactSolution", progress: "Progress"
+) -> "tuple[ContactSolution, SubsurfaceComparison | None]":
+    """The stress under the contact; without it the solution has a warning."""
+    from analytic.errors import InputError
+    from fembearing.check.contact.subsurface import compare_subsurface
+
+    progress(0.8, f"{result.contact.pair}: stress under the contact")
+    try:
+        return result, compare_subsurface(result)
+    except InputError as problem:  # a contact cut off at a shoulder: everything else is known
+        return result.with_numbers(warnings=(*result.numbers.warnings, str(problem))), None
+
+
+def _require_mesh_only(of_solution: dict[str, Any], loads: list[float]) -> None:
+    """Raise InputError for an option of a solution beside --mesh, and for several loads."""
+    from analytic.errors import InputError
+
+    for option, asked in of_solution.items():
+        if asked is not None:
+            raise InputError(f"{option} {str(asked)!r} does not go with --mesh, which solves nothing: leave it out")
+    if len(loads) > 1:
+        raise InputError(f"--mesh takes one --load, and there are {len(loads)}: give one")
 
 
 def _write_meshes(

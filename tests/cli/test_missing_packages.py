@@ -78,7 +78,7 @@ THREADS, SOLVER = f"{{}} needs threadpoolctl: {BASE}", f"{{}} needs scikit-fem: 
 REFUSED = {  # by installation: what lacks a package, with what it says
     "plain": {
         "sweep ../grid.toml --out new": SWEEP.format("xarray"),
-        "compare ../s.toml ../rig.xlsx": '../rig.xlsx needs openpyxl: pip install "fembearing[sweep]"',
+        "compare ../s.toml ../rig.xlsx": f"../rig.xlsx needs openpyxl: {DATA}",
         "import fembearing; fembearing.run_sweep('g.toml', out='o')": SWEEP.format("xarray"),
         "import analytic; analytic.friction_torque(analytic.load_scene('6205-dry')).to_dataset()": (
             f"a dataset needs xarray: {DATA}"
