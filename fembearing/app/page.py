@@ -293,8 +293,10 @@ class Page:
             contact = found.contacts.get(race)
             self._draw(race, None if contact is None else ellipse_options(contact, found.row, found.units))
         rating = found.result.scene.bearing.static_load_rating
-        self.inputs.derive(found.derived)
-        self.inputs.slide_to({key: found.number(key) for key in self.sliders}, rating)
+        numbers = {key: found.number(key) for key in self.sliders}
+        settled = {key for key, number in numbers.items() if number is None and found.derived[key] != "none"}
+        self.inputs.derive(found.derived, settled)
+        self.inputs.slide_to(numbers, rating)
         self.check.follow(self.text)
 
     def _show_interval(self, found: Any) -> None:

@@ -136,6 +136,16 @@ async def test_friction_settles_the_temperature_where_a_thermal_resistance_is_gi
     told = torque_of_scene(steady_scene("6206", settings=settings))
     assert page.lines["title"].text == torque_headline(told).title
     assert page.lines["torque"].text == torque_headline(told).torque
+    oil = page.fields["lubricant.temperature"]
+    usual, shown = oil.value, oil.props["placeholder"]
+    assert f"at {float(shown.split()[0]):.4g} degC (steady)" in page.lines["title"].text
+    assert oil.props["hint"] == f"friction settles it: {shown}"
+    oil.value = "81 degC"  # as --set, it is refused
+    assert oil.error.startswith("scene: lubricant.temperature = '81 degC' and [thermal] both determine")
+    oil.value = usual
+    page.fields["thermal.ambient"].value = page.fields["thermal.resistance"].value = ""
+    await settled(page)
+    assert (oil.error, oil.props["hint"]) == (None, None)
 
 
 async def test_requests_without_a_browser_build_and_compute_nothing(opened) -> None:
