@@ -25,7 +25,7 @@ from fembearing.app.scene_edit import (
 FIRST = "6206"  # the bearing of a new page
 MOST_WAITING = 20  # requests whose browser may still connect; it does at once
 PAUSE = 0.3  # s without a change, after which the curve is computed
-NUMBERS = ("torque", "unit", "interval", "power")  # lines of the headline that are pale while another is computed
+NUMBERS = ("torque", "unit", "interval", "power")  # lines of the headline that change with the torque
 
 
 def after_handshake(build: Callable[[], object]) -> Callable[[], Awaitable[None]]:
@@ -71,6 +71,10 @@ class Page:
                 self.results = ui.element("section").classes("stack").props('aria-label="Results"')
                 with self.results:
                     self._charts()
+            self.dated = (
+                self.results,
+                *(self.lines[name] for name in NUMBERS),
+            )  # pale while they are of an earlier scene
             self.drawing = DrawingPanel(self)
             self.check = CheckPanel(self)
         self.fields, self.sliders = self.inputs.fields, self.inputs.sliders
@@ -181,8 +185,10 @@ class Page:
         """
         self.inputs.complain(problem, key)
         self.lines["problem"].text = problem
-        for part in (self.results, *(self.lines[name] for name in NUMBERS)):
+        for part in self.dated:
             part.classes("old")
+        if self.evaluation is not None and self.evaluation.text != self.text:
+            self.lines["curve"].text = ""  # nothing more comes of it
 
     # What is computed.
 
@@ -279,7 +285,7 @@ class Page:
         for name, text in lines.items():
             if name != "interval":
                 self.lines[name].text = text
-        for part in (self.results, *(self.lines[name] for name in NUMBERS)):
+        for part in self.dated:
             part.classes(remove="old")
         for part in (self.lines["interval"], self.charts["curve"]):
             part.classes("old")  # until they are computed too

@@ -186,6 +186,7 @@ async def test_a_pasted_scene_fills_the_fields(opened, settled) -> None:
     assert page.lines["title"].text.startswith("7208B, axial ")
     page.fields["scene"].value = "[bearing"
     assert page.fields["scene"].error.startswith("scene: not TOML")
+    assert "computing" not in page.lines["curve"].text
 
 
 NAMES = ("6004", "6205", "6206", "6308")
