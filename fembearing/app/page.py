@@ -24,6 +24,7 @@ from fembearing.app.scene_edit import (
 
 FIRST = "6206"  # the bearing of a new page
 MOST_WAITING = 20  # requests whose browser may still connect; it does at once
+COMPUTING = "computing"
 PAUSE = 0.3  # s without a change, after which the curve is computed
 NUMBERS = ("torque", "unit", "interval", "power")  # lines of the headline that change with the torque
 
@@ -100,7 +101,7 @@ class Page:
         with ui.element("div").classes("panel"):
             with ui.element("div").classes("facts"):
                 line("span", "Verdict")
-                self.lines["verdict"] = line("span", "computing").classes("verdict")
+                self.lines["verdict"] = line("span", COMPUTING).classes("verdict")
                 self.lines["reason"] = line("span", "the first torque on a machine takes a minute or two")
             self.lines["problem"] = line("div").classes("problem").props('role="alert"')
 
@@ -115,7 +116,7 @@ class Page:
             line("h2", "Torque over the speed")
             self._chart("curve", "Friction torque over the speed, with its interval and the makers' formulas", 320)
             self.charts["curve"].set_visibility(False)
-            self.lines["curve"] = line("div", "computing").classes("soft")
+            self.lines["curve"] = line("div", COMPUTING).classes("soft")
         with ui.element("div").classes("pair stack"):
             with ui.element("div").classes("panel"):
                 line("h2", "Loads of the balls")
@@ -188,7 +189,9 @@ class Page:
         for part in self.dated:
             part.classes("old")
         if self.evaluation is not None and self.evaluation.text != self.text:
-            self.lines["curve"].text = ""  # nothing more comes of it
+            self.lines["interval"].text = self.evaluation.lines["interval"]  # its own, or none: no more comes of it
+            if self.lines["curve"].text.startswith(COMPUTING):
+                self.lines["curve"].text = "not computed"
 
     # What is computed.
 
@@ -272,7 +275,7 @@ class Page:
             if records and self._is_shown(found):
                 marked = None if found.is_series else found.row["inner_speed"]
                 self._draw("curve", curve_options(records, found.units, marked=marked))
-                self.lines["curve"].text = words if number == len(scenes) else "computing more speeds"
+                self.lines["curve"].text = words if number == len(scenes) else f"{COMPUTING} more speeds"
         if not records and self._is_shown(found):
             self._draw("curve", None)
             self.lines["curve"].text = words or "The bearing is at rest."
@@ -289,7 +292,7 @@ class Page:
             part.classes(remove="old")
         for part in (self.lines["interval"], self.charts["curve"]):
             part.classes("old")  # until they are computed too
-        self.lines["curve"].text = "computing"
+        self.lines["curve"].text = COMPUTING
         self.lines["verdict"].classes(replace=f"verdict {lines['verdict']}")
         self.warned.set_visibility(bool(lines["warnings"]))
         self._draw("parts", part_options(found.row, found.units))

@@ -186,7 +186,28 @@ async def test_a_pasted_scene_fills_the_fields(opened, settled) -> None:
     assert page.lines["title"].text.startswith("7208B, axial ")
     page.fields["scene"].value = "[bearing"
     assert page.fields["scene"].error.startswith("scene: not TOML")
-    assert "computing" not in page.lines["curve"].text
+    assert page.lines["curve"].text == "not computed"
+
+
+async def test_a_torque_whose_scene_is_refused_has_no_interval_of_an_earlier_one(
+    opened, settled, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun, free = asyncio.Event(), asyncio.Event()
+
+    async def waiting(_page: Page, _found: Evaluation) -> None:
+        begun.set()
+        await free.wait()
+
+    _, page = await opened()
+    await settled(page)
+    monkeypatch.setattr(Page, "_follow_now", waiting)
+    page.fields[LOAD].value = "2 kN"
+    await begun.wait()
+    page.fields[SPEED].value = "900 kg"
+    free.set()
+    await settled(page)
+    assert page.evaluation.row["radial_load"] == 2000.0
+    assert page.lines["interval"].text == "95 %: not known"
 
 
 NAMES = ("6004", "6205", "6206", "6308")
