@@ -66,7 +66,7 @@ IS_NUMBER = re.compile(r"\d").match  # of a torque that is shown
 MOST_START, MOST_CHANGE, MOST_MEMORY = 2.0, 0.3, 300.0  # s, s and MB; 110 MB are files of compiled libraries
 WARM, CHANGES, MOST_GROWTH = 40, 200, 8.0  # changes before and between two measurements, and MB of growth
 TIMED = 21  # changes of the slider, whose median counts
-ENDS = 20.0  # s after which a closed tab has no process: the server waits 3 s for a tab to come back
+ENDS = 60.0  # s after which a closed tab has no process: the server waits 30 s for a tab to come back
 
 
 class Server(NamedTuple):

@@ -154,7 +154,8 @@ def ellipse_options(contact: Contact, point: Point, units: Units) -> Options:
     least = AROUND * half
     power = 10 ** np.floor(np.log10(least / FINE))
     step = power * max(each for each in STEPS if each * power <= least / FINE)
-    most = step * np.ceil(least / step)
+    count = np.ceil(least / step)
+    most = step * count
     ratio = max(1, int(ALONG * scale / (2 * most)))
     ends = {"axisLabel": {"showMinLabel": False, "showMaxLabel": False, "hideOverlap": True}}
     across_words = f"across the groove, {unit.name}; rolling {ratio} times larger"
@@ -163,7 +164,7 @@ def ellipse_options(contact: Contact, point: Point, units: Units) -> Options:
         "grid": {"width": ACROSS, "height": round(2 * most * ratio / scale), "left": "center", "top": 24},
         "xAxis": {**AXIS, **ends, "name": across_words, "nameGap": 24} | {"min": _short(low), "max": _short(high)},
         "yAxis": {**AXIS, "axisLabel": {"hideOverlap": True}, "name": f"rolling, {unit.name}", "nameGap": 38}
-        | {"min": -_short(most), "max": _short(most), "interval": _short(step)},
+        | {"min": -_short(most), "max": _short(most), "interval": _short(most if count % 2 else most / 2)},
         "series": series,
     }
 

@@ -22,7 +22,7 @@ from analytic.scenefile.read import parse_by_temperature
 from analytic.units import SYSTEMS, Units
 from analytic.words import pressure_of
 from fembearing import SceneTorque, draw_bearing, torque_content, torque_headline, torque_of_scene
-from fembearing.app.scene_edit import FIELDS, ORIGIN
+from fembearing.app.scene_edit import FIELDS, ORIGIN, TEMPERATURE
 from fembearing.check.contact.scene_contact import contact_of
 from fembearing.report.sections.points import point_name
 
@@ -122,7 +122,7 @@ def derived_values(values: Values, scene: Scene) -> dict[str, str]:
         "operation.tilt": "free" if pair or np.isnan(tilt) else tilt,
     }
     for path in FIELDS:
-        value = values[path]
+        value = None if path == TEMPERATURE else values[path]  # friction settles it where there is [thermal]
         if value is None:
             value = seen.get(path, reduce(lambda it, name: getattr(it, name, None), path.split("."), scene))
         is_dry = path.startswith("lubricant.") and scene.lubricant is None  # though the keys have defaults

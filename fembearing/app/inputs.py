@@ -1,6 +1,6 @@
 """The inputs of the page: fields and sliders by the keys of the scene, and its text."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from html import escape
 from typing import Any, Protocol
 
@@ -106,8 +106,14 @@ class Inputs:
                 field.set_options({**dict(field.options), value: value})
             field.value = value
 
-    def derive(self, derived: Mapping[str, str]) -> None:
-        """Show in each empty field what the torque that is shown was computed with;  derived : by the keys"""
+    def derive(self, derived: Mapping[str, str], settled: Collection[str]) -> None:
+        """Show in each empty field what the torque that is shown was computed with.
+
+        derived : by the keys;  settled : keys whose values friction settles, whatever their fields have
+        """
+        for key in self.sliders:
+            is_settled = key in settled and key in self.page.values
+            self.fields[key].props["hint"] = f"friction settles it: {derived[key]}" if is_settled else None
         for key, words in derived.items():
             field = self.fields[key]
             if not isinstance(field, ui.select):

@@ -24,8 +24,9 @@ from fembearing.app.scene_edit import (
 
 FIRST = "6206"  # the bearing of a new page
 MOST_WAITING = 20  # requests whose browser may still connect; it does at once
+COMPUTING = "computing"
 PAUSE = 0.3  # s without a change, after which the curve is computed
-NUMBERS = ("torque", "unit", "interval", "power")  # lines of the headline that are pale while another is computed
+NUMBERS = ("torque", "unit", "interval", "power")  # lines of the headline that change with the torque
 
 
 def after_handshake(build: Callable[[], object]) -> Callable[[], Awaitable[None]]:
@@ -71,6 +72,10 @@ class Page:
                 self.results = ui.element("section").classes("stack").props('aria-label="Results"')
                 with self.results:
                     self._charts()
+            self.dated = (
+                self.results,
+                *(self.lines[name] for name in NUMBERS),
+            )  # pale while they are of an earlier scene
             self.drawing = DrawingPanel(self)
             self.check = CheckPanel(self)
         self.fields, self.sliders = self.inputs.fields, self.inputs.sliders
@@ -96,7 +101,7 @@ class Page:
         with ui.element("div").classes("panel"):
             with ui.element("div").classes("facts"):
                 line("span", "Verdict")
-                self.lines["verdict"] = line("span", "computing").classes("verdict")
+                self.lines["verdict"] = line("span", COMPUTING).classes("verdict")
                 self.lines["reason"] = line("span", "the first torque on a machine takes a minute or two")
             self.lines["problem"] = line("div").classes("problem").props('role="alert"')
 
@@ -111,7 +116,7 @@ class Page:
             line("h2", "Torque over the speed")
             self._chart("curve", "Friction torque over the speed, with its interval and the makers' formulas", 320)
             self.charts["curve"].set_visibility(False)
-            self.lines["curve"] = line("div", "computing").classes("soft")
+            self.lines["curve"] = line("div", COMPUTING).classes("soft")
         with ui.element("div").classes("pair stack"):
             with ui.element("div").classes("panel"):
                 line("h2", "Loads of the balls")
@@ -181,8 +186,12 @@ class Page:
         """
         self.inputs.complain(problem, key)
         self.lines["problem"].text = problem
-        for part in (self.results, *(self.lines[name] for name in NUMBERS)):
+        for part in self.dated:
             part.classes("old")
+        if self.evaluation is not None and self.evaluation.text != self.text:
+            self.lines["interval"].text = self.evaluation.lines["interval"]  # its own, or none: no more comes of it
+            if self.lines["curve"].text.startswith(COMPUTING):
+                self.lines["curve"].text = "not computed"
 
     # What is computed.
 
@@ -266,7 +275,7 @@ class Page:
             if records and self._is_shown(found):
                 marked = None if found.is_series else found.row["inner_speed"]
                 self._draw("curve", curve_options(records, found.units, marked=marked))
-                self.lines["curve"].text = words if number == len(scenes) else "computing more speeds"
+                self.lines["curve"].text = words if number == len(scenes) else f"{COMPUTING} more speeds"
         if not records and self._is_shown(found):
             self._draw("curve", None)
             self.lines["curve"].text = words or "The bearing is at rest."
@@ -279,11 +288,11 @@ class Page:
         for name, text in lines.items():
             if name != "interval":
                 self.lines[name].text = text
-        for part in (self.results, *(self.lines[name] for name in NUMBERS)):
+        for part in self.dated:
             part.classes(remove="old")
         for part in (self.lines["interval"], self.charts["curve"]):
             part.classes("old")  # until they are computed too
-        self.lines["curve"].text = "computing"
+        self.lines["curve"].text = COMPUTING
         self.lines["verdict"].classes(replace=f"verdict {lines['verdict']}")
         self.warned.set_visibility(bool(lines["warnings"]))
         self._draw("parts", part_options(found.row, found.units))
@@ -293,8 +302,10 @@ class Page:
             contact = found.contacts.get(race)
             self._draw(race, None if contact is None else ellipse_options(contact, found.row, found.units))
         rating = found.result.scene.bearing.static_load_rating
-        self.inputs.derive(found.derived)
-        self.inputs.slide_to({key: found.number(key) for key in self.sliders}, rating)
+        numbers = {key: found.number(key) for key in self.sliders}
+        settled = {key for key, number in numbers.items() if number is None and found.derived[key] != "none"}
+        self.inputs.derive(found.derived, settled)
+        self.inputs.slide_to(numbers, rating)
         self.check.follow(self.text)
 
     def _show_interval(self, found: Any) -> None:

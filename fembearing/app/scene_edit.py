@@ -18,7 +18,7 @@ from analytic.units import METRIC
 from analytic.words import NEWTON, RPM, Unit
 
 ORIGIN = "scene"  # names the text in messages
-CATALOG = "bearing.catalog"
+CATALOG, TEMPERATURE = "bearing.catalog", "lubricant.temperature"
 # Beginnings of keys that another bearing takes over
 KEPT = ("operation.", "lubricant.", "surface.", "mounting.", "arrangement.", "thermal.")
 NEEDED = ("bearing", "operation", "lubricant", "surface")  # tables that stay when their last key leaves them
@@ -34,6 +34,7 @@ DIMENSIONS = (
     *("bearing.inner.shoulder_half_width", "bearing.outer.shoulder_half_width"),
     *("bearing.static_load_rating", "bearing.dynamic_load_rating"),
 )
+ONE = "clear the fields of the thermal resistance, or leave this one as it was"
 FOLDS: Mapping[str, tuple[str, ...]] = {  # keys of the fields of a panel, by its head
     "Seats and clearance": (
         *("bearing.clearance", "mounting.shaft_interference", "mounting.housing_interference"),
@@ -55,7 +56,7 @@ LABELS = {  # where the name of the key alone does not say it
 SLIDERS = {"N": NEWTON, "rad/s": RPM, "K": METRIC.temperature}  # by the SI unit of what a slider sets
 LISTED = {
     "lubricant.name": catalog.oil_names(),
-    "cage.material": ("steel", "peek", "brass"),
+    "cage.material": ("steel", "peek"),
 }  # other names are taken too
 
 
@@ -103,7 +104,13 @@ def values_in(text: str) -> dict[str, Any]:
 
 def shown_value(value: object) -> str:
     """A value as its field shows it; a series as a list."""
-    return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
+    return value if isinstance(value, str) else _toml(value)
+
+
+def _toml(value: object) -> str:
+    if isinstance(value, dict):
+        return f"{{ {', '.join(f'{name} = {_toml(each)}' for name, each in value.items())} }}"
+    return json.dumps(value, ensure_ascii=False)
 
 
 def with_typed(text: str, key: str, typed: str) -> tuple[str, list[str]]:
@@ -116,6 +123,10 @@ def with_typed(text: str, key: str, typed: str) -> tuple[str, list[str]]:
     value, notes = read_setting(key, typed)
     if isinstance(value, float) and not isfinite(value):  # refused, and no number of JSON
         scene_key(key).read_as(f"{ORIGIN}: {key}", value)
+    if key == TEMPERATURE and "thermal" in parse_text(text, origin=ORIGIN):
+        raise InputError(
+            f"{ORIGIN}: {key} = {shown_value(value)!r} and [thermal] both determine the oil temperature: {ONE}"
+        )
     return with_value(text, key, value), notes
 
 
@@ -125,7 +136,7 @@ def with_value(text: str, key: str, value: Any) -> str:
     Raises InputError for a text that is no TOML, or that has the key elsewhere than in a line of its table.
     """
     before = parse_text(text, origin=ORIGIN)
-    changed = _with_line(text, key, None if value is None else json.dumps(value, ensure_ascii=False))
+    changed = _with_line(text, key, None if value is None else _toml(value))
     wanted = with_key(before, key, value) if value is not None else _without(before, key)
     with suppress(InputError):
         if parse_text(changed, origin=ORIGIN) == wanted:

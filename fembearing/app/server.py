@@ -17,6 +17,7 @@ from fembearing.app.page import Page, after_handshake
 HOST = "127.0.0.1"
 NAMES = [HOST, "localhost"]  # by which a browser may ask: a page of a stranger that is led here has another
 PRIMARY = "#1f6fb2"  # white letters on it have a contrast of 5.2
+ABSENT = 30.0  # s that a page waits for a browser that is too busy to answer; a closed tab ends its check then
 OWN = ("none", "same-origin")  # of the header Sec-Fetch-Site: a user has typed the address, or the page itself asks
 REFUSAL = "This page is not for other sites: type its address into the browser.\n"
 
@@ -52,6 +53,7 @@ def serve(port: int, *, shows: bool) -> None:
         title="fembearing",
         favicon="\N{GEAR}",
         dark=None,
+        reconnect_timeout=ABSENT,
         language="en-US",
         reload=False,
         tailwind=False,

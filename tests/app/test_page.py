@@ -136,6 +136,16 @@ async def test_friction_settles_the_temperature_where_a_thermal_resistance_is_gi
     told = torque_of_scene(steady_scene("6206", settings=settings))
     assert page.lines["title"].text == torque_headline(told).title
     assert page.lines["torque"].text == torque_headline(told).torque
+    oil = page.fields["lubricant.temperature"]
+    usual, shown = oil.value, oil.props["placeholder"]
+    assert f"at {float(shown.split()[0]):.4g} degC (steady)" in page.lines["title"].text
+    assert oil.props["hint"] == f"friction settles it: {shown}"
+    oil.value = "81 degC"  # as --set, it is refused
+    assert oil.error.startswith("scene: lubricant.temperature = '81 degC' and [thermal] both determine")
+    oil.value = usual
+    page.fields["thermal.ambient"].value = page.fields["thermal.resistance"].value = ""
+    await settled(page)
+    assert (oil.error, oil.props["hint"]) == (None, None)
 
 
 async def test_requests_without_a_browser_build_and_compute_nothing(opened) -> None:
@@ -176,6 +186,28 @@ async def test_a_pasted_scene_fills_the_fields(opened, settled) -> None:
     assert page.lines["title"].text.startswith("7208B, axial ")
     page.fields["scene"].value = "[bearing"
     assert page.fields["scene"].error.startswith("scene: not TOML")
+    assert page.lines["curve"].text == "not computed"
+
+
+async def test_a_torque_whose_scene_is_refused_has_no_interval_of_an_earlier_one(
+    opened, settled, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun, free = asyncio.Event(), asyncio.Event()
+
+    async def waiting(_page: Page, _found: Evaluation) -> None:
+        begun.set()
+        await free.wait()
+
+    _, page = await opened()
+    await settled(page)
+    monkeypatch.setattr(Page, "_follow_now", waiting)
+    page.fields[LOAD].value = "2 kN"
+    await begun.wait()
+    page.fields[SPEED].value = "900 kg"
+    free.set()
+    await settled(page)
+    assert page.evaluation.row["radial_load"] == 2000.0
+    assert page.lines["interval"].text == "95 %: not known"
 
 
 NAMES = ("6004", "6205", "6206", "6308")

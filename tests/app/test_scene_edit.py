@@ -8,7 +8,16 @@ from analytic.errors import InputError
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
 from fembearing.app.evaluation import at_once
-from fembearing.app.scene_edit import FIELDS, OPERATION, field_in, of_bearing, values_in, with_typed, with_value
+from fembearing.app.scene_edit import (
+    FIELDS,
+    OPERATION,
+    field_in,
+    of_bearing,
+    shown_value,
+    values_in,
+    with_typed,
+    with_value,
+)
 
 USUAL = scene_text("6206")
 TYPED = {  # by the fields, what a scene has after it
@@ -124,6 +133,15 @@ def test_the_scene_is_that_of_the_options_of_the_command_line() -> None:
     # The note that a speed without a unit is read as rpm is a warning of the scene there, and stands beside the field.
     others = vars(told).keys() - {"operation", "usual", "warnings"}
     assert {name: getattr(shown, name) for name in others} == {name: getattr(told, name) for name in others}
+
+
+def test_a_material_may_be_a_table_and_every_one_that_is_offered_has_a_torque() -> None:
+    """As the refusal of a name without a Poisson ratio says."""
+    brass, _ = with_typed(USUAL, "cage.material", '{ name = "brass", poisson_ratio = 0.34 }')
+    shown = shown_value(values_in(brass)["cage.material"])
+    assert with_typed(brass, "cage.material", shown)[0] == brass
+    for text in (brass, *(with_typed(USUAL, "cage.material", word)[0] for word in FIELDS["cage.material"].words)):
+        assert at_once(text).row["torque_total"] > 0
 
 
 def test_an_empty_field_leaves_its_key_out_and_a_later_one_takes_its_line() -> None:

@@ -1,6 +1,7 @@
 """The program as the pages of other sites, and other programs, meet it."""
 
 import os
+import re
 import socket
 import subprocess
 import sys
@@ -25,6 +26,7 @@ FOREIGN = [
 ]
 MOST_GROWTH = 40.0  # MB over all requests: a page has 1 MB, and 20 requests may wait for their browsers
 REQUESTS = 200
+BUSY = 5.0  # s without a connection
 
 
 @pytest.fixture(scope="module")
@@ -76,6 +78,21 @@ def test_a_browser_gets_them_by_the_own_names_alone(server: tuple[str, int]) -> 
             assert "sid" in str(open_socket.recv(PATIENCE))
     assert status(f"http://{address}/check/token/report.html") == 404
     assert status(f"http://{address}", {"Host": "example.com"}) == 400
+
+
+def test_a_browser_that_was_too_busy_to_answer_finds_its_page_again(server: tuple[str, int]) -> None:
+    """Else it would begin anew: without the scene of the user, and with the usual bearing in the download."""
+    address, _ = server
+    with urllib.request.urlopen(f"http://{address}", timeout=PATIENCE) as page:
+        client = re.search(r"client_id[\"']*: *[\"']([\w-]+)", page.read().decode())
+    assert client
+    asked = f"&implicit_handshake=true&client_id={client[1]}&tab_id=one&document_id=one"
+    for pause in (BUSY, 0):
+        with connect(f"ws://{address}{SOCKET}{asked}") as open_socket:
+            open_socket.recv(PATIENCE)
+            open_socket.send("40")  # as the browser asks for what is behind the socket
+            assert str(open_socket.recv(PATIENCE)).startswith("40")
+        time.sleep(pause)
 
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the memory is read from /proc")
