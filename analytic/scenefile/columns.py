@@ -206,7 +206,7 @@ class Columns:
         """Raise ValueError for an unknown column that may be meant for one that is absent, or for another load."""
         of = f"column {shown(column.head)} is not known"
         if column.name in OTHER_OPERATION and self.required not in absent:
-            raise ValueError(f"{of}; give one operation.{column.name} in the scene, and leave the column out")
+            raise ValueError(f"{of}; give operation.{column.name} in the scene or by --set, and leave the column out")
         words = re.findall(r"[^\W_]+", column.name[:LONGEST])
         for name in absent:
             parts = [name, *name.split("_")]
