@@ -264,8 +264,9 @@ def _read_text(path: str | os.PathLike[str]) -> MapData:
             raise InputError(
                 "has commas as decimal signs or between numbers, both are possible; separate by semicolons"
             )
-    if separator is not None and 2 * sum(row.endswith(separator) for row in rows) > len(rows):  # one behind each row
-        rows = [row.removesuffix(separator) for row in rows]
+    for is_at, without in ((str.endswith, str.removesuffix), (str.startswith, str.removeprefix)):
+        while separator is not None and 2 * sum(is_at(row, separator) for row in rows) > len(rows):  # beside each row
+            rows = [without(row, separator) for row in rows]
     if is_decimal:
         rows = (row.replace(",", ".") for row in rows)
     if separator is not None:
@@ -283,7 +284,7 @@ def _read_text(path: str | os.PathLike[str]) -> MapData:
 
 def _width(line: str) -> int:
     """The numbers and gaps of a line; 0: it has words too."""
-    cells = BETWEEN.split(line.strip(";, "))
+    cells = BETWEEN.split(line.strip(";,\t "))
     known = len(cells) > MOST_POINTS or all(NUMBER.fullmatch(cell) or GAP.fullmatch(cell) for cell in cells)
     return len(cells) if known else 0
 
