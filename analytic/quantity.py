@@ -33,7 +33,9 @@ SPELLINGS |= {"Nm": "N m", "Ncm": "N cm", "Nmm": "N mm", "kNm": "kN m", "mNm": "
 IN_CONTEXT = {  # names in small letters, for keys of each SI unit. "mN" and "MN" differ by their case alone.
     "K": {"c": "degC", "°c": "degC", "degc": "degC", "f": "degF", "°f": "degF", "degf": "degF", "k": "K"},
     "N": {"n": "N", "kn": "kN"},
-    "rad/s": dict.fromkeys(("rpm", "r/min", "rev/min", "u/min", "1/min", "/min", "min-1", "min^-1"), "rpm"),
+    "rad/s": dict.fromkeys(
+        ("rpm", "r/min", "rev/min", "u/min", "tr/min", "varv/min", "1/min", "/min", "min-1", "min^-1"), "rpm"
+    ),
 }
 TYPED = re.compile(r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*((?:(?:1? */|[^\d\s+_-]).*?)?)\s*")
 AMBIGUOUS = re.compile(r"([+-]?[1-9]\d*),(\d{3})")  # 0,500 is no group of thousands

@@ -78,14 +78,14 @@ class DrawnTorque:
     def bands(self) -> dict[str, Array]:
         """(2, n) least and greatest torque of each maker, in the shown unit, along the axis.
 
-        A maker may have two constants: "Palmgren, z = 0.0004".
+        A maker may have two constants: "Palmgren, z = 0.0004", of which one bearing has some and another one others.
         """
         found: dict[str, list[Array]] = {}
         for name, values in self.makers.items():
             if np.isfinite(values).any():
                 found.setdefault(name.partition(",")[0], []).append(values[self.axis.order])
         factor = self.units.torque.factor
-        return {name: factor * np.array([np.min(each, axis=0), np.max(each, axis=0)]) for name, each in found.items()}
+        return {name: factor * np.array([np.fmin.reduce(each), np.fmax.reduce(each)]) for name, each in found.items()}
 
     @property
     def total(self) -> Array:

@@ -46,13 +46,12 @@ def read_list(path: str | os.PathLike[str]) -> tuple[list[ListedBearing], tuple[
     found = []
     for row, cells in rows:
         place = f"{plain(os.fspath(path))}: {row}"
-        texts = {column.name: written(cell) for column, cell in zip(columns, cells, strict=True) if cell != ""}
-        units = {column.name: column.unit for column in columns if LIST.known[column.name] is not None}
-        texts |= {
-            name: f"{texts[name]} {unit}".rstrip()
-            for name, unit in units.items()
-            if re.fullmatch(NUMBER, texts.get(name, ""), re.ASCII)
-        }
+        texts: dict[str, str] = {}
+        for column, cell in zip(columns, cells, strict=True):
+            text, is_text = written(cell), LIST.known[column.name] is None
+            if text:
+                lacks_unit = not is_text and re.fullmatch(NUMBER, text, re.ASCII)
+                texts[column.name] = f"{text} {column.unit}".rstrip() if lacks_unit else text
         if "designation" not in texts:
             raise InputError(f"{place}: designation is empty; give one, or leave the row out")
         found.append(ListedBearing(texts.pop("designation"), place, texts))

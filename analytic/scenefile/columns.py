@@ -93,6 +93,9 @@ class Columns:
         dimension = self.known[name]
         return name if dimension is None else f"{name} [{dimension.shown_unit}]"
 
+    def _example(self, name: str) -> str:
+        return self.head(name) + (" or [%]" if name in self.shares else "")
+
     def read(self, path: str | os.PathLike[str]) -> dict[str, Any]:
         """The name of a file, `file`, `warnings` on how it was read, and its columns, each (n,) in SI.
 
@@ -104,7 +107,9 @@ class Columns:
         try:
             for name, unit in ((each.name, each.unit) for each in columns):
                 if not unit:
-                    raise ValueError(f"column {name} has no unit; write it in brackets, for example {self.head(name)}")
+                    raise ValueError(
+                        f"column {name} has no unit; write it in brackets, for example {self._example(name)}"
+                    )
             rows = [self._row(place, columns, cells) for place, cells in lines]
         except ValueError as problem:
             raise InputError(f"{file}: {problem}") from None
@@ -140,8 +145,8 @@ class Columns:
         numbers = [each for each in columns if self.known[each.name] is not None]
         for each in numbers:
             if each.unit and (fault := self._unit_fault(each)):
-                example = self.head(each.name) + (" or [%]" if each.name in self.shares else "")
-                raise ValueError(f"column {each.name} [{plain(each.unit)}] {fault}; write for example {example}")
+                words = f"column {each.name} [{plain(each.unit)}] {fault}"
+                raise ValueError(f"{words}; write for example {self._example(each.name)}")
         sign = decimal_sign((_at(line, each) for line in lines for each in numbers), sheet.separator)
         under, least = {each.place for each in every}, 1 + max(each.place for each in columns)
         may_split = sheet.separator == "," and sign == "."
@@ -201,7 +206,7 @@ class Columns:
         """Raise ValueError for an unknown column that may be meant for one that is absent, or for another load."""
         of = f"column {shown(column.head)} is not known"
         if column.name in OTHER_OPERATION and self.required not in absent:
-            raise ValueError(f"{of}; give one operation.{column.name} in the scene, and leave the column out")
+            raise ValueError(f"{of}; give operation.{column.name} in the scene or by --set, and leave the column out")
         words = re.findall(r"[^\W_]+", column.name[:LONGEST])
         for name in absent:
             parts = [name, *name.split("_")]
@@ -214,10 +219,10 @@ class Columns:
             raise ValueError(f"{of}, and its unit fits {meant}; name it so, or leave the column out")
 
     def _with_units(self, columns: Sequence[Column], line: Line) -> list[Column] | None:
-        """The columns with their units from a row of these; None for another row."""
+        """The columns with their units from a row in which any cell fits as one; None for another row."""
         found = [each if each.unit else each._replace(unit=str(_at(line, each)).strip("[]() ")) for each in columns]
         lacking = [new for old, new in zip(columns, found, strict=True) if not old.unit and self.known.get(old.name)]
-        return found if lacking and not any(map(self._unit_fault, lacking)) else None
+        return None if all(map(self._unit_fault, lacking)) else found
 
     def _dimension(self, column: Column) -> Dimension | None:
         is_share = column.name in self.shares and column.unit in PERCENT

@@ -28,6 +28,7 @@ SEPARATORS = "\t;,"  # the first that is there: a comma may be decimal, and a se
 # A comment, or the separator as Excel declares it; but "#DIV/0!", "#N/A" and "#NV" are failed cells.
 ASIDE = re.compile(r"\s*(?:#(?!N/?[AV]\b|[A-Z0-9/]+[!?])|sep=.\s*$)")
 NUMERAL = re.compile(r"[.,]?\d[\d.,]*")
+SPACED = re.compile(r"\d[ '\u2019]\d{3}(?!\d)")
 GROUPED = re.compile(r"[1-9]\d{0,2}[.,]\d{3}")  # or three decimals
 SIGNS = {".": "point", ",": "comma"}
 
@@ -133,7 +134,7 @@ def with_points(cell: Cell, sign: str) -> Cell:
     def pointed(match: re.Match[str]) -> str:
         number = match[0]
         found = [each for each in number if each in SIGNS]
-        if len(found) > 1:
+        if len(found) > 1 or SPACED.search(match.string):
             raise ValueError("groups its digits; write them without separators, and one before the decimals")
         if not found or found == [sign]:
             return number.replace(",", ".")

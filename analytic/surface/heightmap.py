@@ -250,7 +250,7 @@ def _read_text(path: str | os.PathLike[str]) -> MapData:
     parts = text_of(content).replace("\r\n", "\n").replace("\r", "\n").split("\n", MOST_LINES)
     if len(parts) > MOST_LINES or max(map(len, parts)) > LONGEST_LINE:
         raise InputError(f"has more than {MOST_LINES} lines, or longer ones than {LONGEST_LINE} characters; {MATRIX}")
-    lines = [stripped for part in parts if (stripped := part.strip()) and stripped[0] != "#"]
+    lines = [stripped for part in parts if (stripped := part.strip(" ")) and stripped[0] != "#"]
     start = next((number for number, line in enumerate(lines) if _width(line) >= FEWEST_POINTS), None)
     if start is None:
         raise InputError(f"has no row of {FEWEST_POINTS} or more numbers; {MATRIX}")
@@ -264,11 +264,14 @@ def _read_text(path: str | os.PathLike[str]) -> MapData:
             raise InputError(
                 "has commas as decimal signs or between numbers, both are possible; separate by semicolons"
             )
+    for is_at, without in ((str.endswith, str.removesuffix), (str.startswith, str.removeprefix)):
+        while separator is not None and 2 * sum(is_at(row, separator) for row in rows) > len(rows):  # beside each row
+            rows = [without(row, separator) for row in rows]
     if is_decimal:
         rows = (row.replace(",", ".") for row in rows)
     if separator is not None:
-        empty = re.compile(rf"(?<={separator}) *(?={separator})")
-        rows = (empty.sub("nan", row.rstrip(separator)) for row in rows)
+        empty = re.compile(rf"(?:^|(?<={separator})) *(?={separator}|$)")
+        rows = (empty.sub("nan", row) for row in rows)
     heights = np.loadtxt((GAP.sub("nan", row) for row in rows), delimiter=separator, ndmin=2, dtype=np.float64)
     for line, name in ((heights[0, 1:], "row"), (heights[1:, 0], "column")):
         with np.errstate(over="ignore", invalid="ignore"):  # of numbers near the largest double
@@ -281,7 +284,7 @@ def _read_text(path: str | os.PathLike[str]) -> MapData:
 
 def _width(line: str) -> int:
     """The numbers and gaps of a line; 0: it has words too."""
-    cells = BETWEEN.split(line.strip(";, "))
+    cells = BETWEEN.split(line.strip(";,\t "))
     known = len(cells) > MOST_POINTS or all(NUMBER.fullmatch(cell) or GAP.fullmatch(cell) for cell in cells)
     return len(cells) if known else 0
 

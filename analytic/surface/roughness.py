@@ -7,14 +7,16 @@ of the input.
 Source: spectral filtering as in [Hu1992].
 """
 
+import os
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.scene import Array, Autocorrelation, Surface
-from analytic.surface.heightmap import WIDEST, HeightMap, measure, read_height_map
+from analytic.surface.heightmap import WIDEST, HeightMap, Measurement, measure, read_height_map
 from analytic.surface.map_data import FEWEST_POINTS, MOST_POINTS
 from analytic.surface.moments import SpectralMoments, Summits, mccool_summits
 from analytic.words import length_of
@@ -107,8 +109,8 @@ def gap_roughness(surface: Surface) -> GapRoughness:
     height_map: HeightMap | None = None
     if surface.height_map is not None:
         try:
-            height_map = read_height_map(surface.height_map.path, spacing=surface.height_map.spacing)
-            measured = measure(height_map)
+            path = surface.height_map.path
+            height_map, measured = _measured_map(path, surface.height_map.spacing, _version(path))
         except InputError as problem:
             raise InputError(f"surface.height_map: {problem}") from problem
         race, warnings = measured.moments, measured.warnings
@@ -134,6 +136,24 @@ def gap_roughness(surface: Surface) -> GapRoughness:
         )
     summits = mccool_summits(ball + race)
     return GapRoughness(ball=ball, race=race, summits=summits, height_map=height_map, warnings=warnings)
+
+
+@lru_cache(maxsize=1)  # an interval asks for the same map again and again
+def _measured_map(
+    path: str | os.PathLike[str], spacing: float | None, _version: tuple[int, ...]
+) -> tuple[HeightMap, Measurement]:
+    height_map = read_height_map(path, spacing=spacing)
+    height_map.heights.flags.writeable = False
+    return height_map, measure(height_map)
+
+
+def _version(path: str | os.PathLike[str]) -> tuple[int, ...]:
+    """Which file this is, and which version of it; (): none that can be read."""
+    try:
+        found = os.stat(path)
+    except (OSError, ValueError):
+        return ()
+    return found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns
 
 
 def _require_sound(autocorrelation: Autocorrelation) -> None:

@@ -25,7 +25,7 @@ KEYS = {
 
 @pytest.mark.parametrize(
     "unit",
-    ["rpm", "RPM", "r/min", "1/min", "1 / min", "/min", "min-1", "min^-1", "min**-1", "min⁻¹", "rev/min", "U/min"],
+    ["rpm", "RPM", "r/min", "1/min", "1 / min", "/min", "min-1", "min^-1", "min**-1", "min⁻¹", "U/min", "tr/min"],
 )
 def test_revolutions_per_minute(unit: str) -> None:
     assert KEYS["speed"].read(f"1251 {unit}") == pytest.approx(1251 * MINUTE, rel=1e-15)  # one rounding

@@ -117,7 +117,9 @@ HEAD = "Race No. 7, 12 \xb5m from the edge\nXres = 53\n\tYres\t40\n"
         ("map.csv", written(", ")),
         ("map.csv", HEAD + written(";", ",")),
         ("map.csv", HEAD + written(";").replace("\n", ";\n")),
+        ("map.csv", HEAD + written(";").replace("\n", ";;\n")),
         ("map.txt", HEAD + written("\t", ",").replace("\n", "\r\n")),
+        ("map.txt", HEAD + written("\t").replace("\n", "\n\t")),
         ("map.asc", written("  ", ",")),
         ("map.dat", HEAD + written(" ") + "\n\n"),
     ],
@@ -132,11 +134,11 @@ def test_a_text_map_is_read(tmp_path: Path, name: str, text: str, encoding: str)
 @pytest.mark.parametrize("gap", ["", "NaN", "Bad", "***", "-"])
 def test_words_and_empty_cells_are_gaps(tmp_path: Path, separator: str, gap: str) -> None:
     cells = [line.split(separator) for line in written(separator).split("\n")]
-    for row, column in ((3, 5), (3, 6), (17, 20)):
+    for row, column in ((3, 5), (3, 6), (17, 0), (20, 52), (21, 0), (21, 52)):
         cells[row][column] = gap
     (tmp_path / "map.txt").write_text("\n".join(map(separator.join, cells)))
     computed = read_height_map(tmp_path / "map.txt", spacing=SPACING)
-    assert computed.warnings[0].startswith("0.142 %"), "3 of 2120"
+    assert computed.warnings[0].startswith("0.283 %"), "6 of 2120"
 
 
 class Bomb:

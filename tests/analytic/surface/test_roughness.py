@@ -150,3 +150,16 @@ def test_a_surface_too_steep_for_shallow_asperities_is_refused() -> None:
     message = r"surface\.rms_roughness = 10\.6 um.*rms slope of 1\.01.*at most 10\.5 um.*longer"
     with pytest.raises(InputError, match=message):
         gap_roughness(Surface(rms_roughness=10.6e-6, autocorrelation=SMOOTH))
+
+
+def test_a_map_is_read_once_until_its_file_changes(tmp_path: Path) -> None:
+    file, rough = tmp_path / "map.npy", SQ * np.random.default_rng(5).standard_normal((40, 40))
+    surface = Surface(height_map=HeightMapFile(path=str(file), spacing=1e-4))
+    np.save(file, rough)
+    first = gap_roughness(surface)
+    assert gap_roughness(surface).height_map is first.height_map
+    np.save(tmp_path / "new.npy", 2 * rough)
+    (tmp_path / "new.npy").replace(file)
+    assert gap_roughness(surface).race.rms_roughness == pytest.approx(2 * first.race.rms_roughness, rel=1e-12)
+    file.unlink()
+    refused(lambda: gap_roughness(surface), "surface.height_map", "map.npy")

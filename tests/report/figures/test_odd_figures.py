@@ -16,7 +16,7 @@ from fembearing.report.figures.contacts import convergence_plot, pressure_plot
 from fembearing.report.figures.measured import axis_of, measured_figure
 from fembearing.report.figures.prediction import interval_figure
 from fembearing.report.figures.ring import LEAST_SPAN, ring_plot
-from fembearing.report.figures.torque import friction_plot, torque_plot
+from fembearing.report.figures.torque import compared_figure, friction_plot, torque_plot
 from fembearing.report.report import Report
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document, labels_of, line_of, points_of, require_legible
@@ -107,6 +107,14 @@ def test_a_nominal_torque_of_0_has_a_figure() -> None:
     figure = torque_figure(still)
     assert figure.axes[0].get_xlim() == (0, 1)
     assert figure.get_suptitle().endswith("numerical uncertainty unknown")
+
+
+def test_each_bearing_has_the_constants_that_its_maker_has() -> None:
+    """One has two of Palmgren's, and another one a single one."""
+    two = replace(torque_drawn(1), makers={"Palmgren, z = 1": np.array([0.02]), "Palmgren, z = 2": np.array([0.03])})
+    one = replace(torque_drawn(1), makers={"Palmgren": np.array([0.05])})
+    (panel,) = compared_figure({"a": two, "b": one}).axes
+    np.testing.assert_allclose(points_of(line_of(panel, "Palmgren"))[:, 0], [30, 50])
 
 
 def test_at_most_so_many_bars_are_named() -> None:
