@@ -17,7 +17,7 @@ import numpy as np
 
 from analytic.errors import InputError
 from analytic.processes import MODULE, environment
-from analytic.reading import require_regular
+from analytic.reading import require_deflated, require_regular
 from analytic.surface.map_data import MapData, require_matrix
 from analytic.words import plain
 
@@ -80,6 +80,7 @@ def _read(path: str, kind: str) -> MapData:
 
     if is_zipfile(path):
         with ZipFile(path) as archive:  # never gives more than it says
+            require_deflated(archive)
             if sum(part.file_size for part in archive.infolist()) > LARGEST:
                 raise InputError(f"unpacks to more than {LARGEST // 1_000_000} MB; {AGAIN}")
     with open_topography(path, format=kind) as reader:
