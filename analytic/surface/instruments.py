@@ -53,7 +53,9 @@ def instrument_map(path: str | os.PathLike[str], kind: str = "") -> MapData:
     command = [*MODULE, __name__, os.path.abspath(path), kind or FORMATS[Path(path).suffix.lower()]]
     around = environment() | {"OPENBLAS_NUM_THREADS": "1"}  # each thread reserves memory
     try:
-        ended = subprocess.run(command, capture_output=True, check=False, timeout=PATIENCE, env=around)
+        ended = subprocess.run(
+            command, capture_output=True, check=False, timeout=PATIENCE, env=around, cwd=Path(__file__).parent
+        )
     except subprocess.TimeoutExpired as problem:
         raise InputError(f"was not read within {PATIENCE} s; {AGAIN}") from problem
     head, _, content = ended.stdout.partition(b"\n")

@@ -40,7 +40,7 @@ PARTS, LOCK = "parts", ".lock"
 KINDS = {GRID: S_ISREG, RESULT: S_ISREG, LOCK: S_ISREG, PARTS: S_ISDIR}
 HEIGHT_MAP, TRACTION = "surface.height_map.path", "lubricant.traction"
 LARGEST_MAP = 400_000_000  # bytes
-LONGEST = 2_000  # bytes of the words at one point
+LONGEST = 2_000  # bytes of the words at one point, and letters of one
 DIGITS = 32  # of a hash in a file name
 DIGEST = hashlib.sha256().digest_size
 
@@ -79,8 +79,8 @@ class Store:
             head, _, body = content.partition(b"\n")
             words: dict[str, list[str]] = json.loads(head)
             given = {name for name, column in values.items() if column.dtype == object} | {WARNINGS}
-            words_are_sound = all(word.isprintable() for each in words.values() for word in each)
-            if not words_are_sound or words.keys() != given or digest != hashlib.sha256(content).digest():
+            are_sound = all(isinstance(each, list) and all(map(_is_line, each)) for each in words.values())
+            if not are_sound or words.keys() != given or digest != hashlib.sha256(content).digest():
                 return None
             warnings = dict.fromkeys(words.pop(WARNINGS))
             numbers = [name for name in values if name not in words]
@@ -94,6 +94,10 @@ class Store:
     def result(self) -> Path:
         """The file of the dataset."""
         return self.folder / RESULT
+
+
+def _is_line(word: object) -> bool:
+    return isinstance(word, str) and word.isprintable() and len(word) <= LONGEST
 
 
 @contextmanager
