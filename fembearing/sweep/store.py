@@ -110,6 +110,7 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
     place = f"--out {str(folder)!r}"
     require_utf8(folder)
     was_there = os.path.lexists(folder)
+    was_locked = os.path.lexists(folder / LOCK)
     hashes = _hashes(grid)
     description = folder / GRID
     _require_own(folder, place)
@@ -132,7 +133,7 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
             yield Store(folder=folder, grid=grid, identity=identity)
         except BaseException:
             if is_new and not (folder / PARTS).exists():
-                _remove(folder, whole=not was_there)
+                _remove([description] if was_locked else [description, folder / LOCK], None if was_there else folder)
             raise
 
 
@@ -144,12 +145,12 @@ def _require_own(folder: Path, place: str) -> None:
                 raise InputError(f"{place}: {name!r} in it is not of a sweep: give a new name, or remove it first")
 
 
-def _remove(folder: Path, *, whole: bool) -> None:
-    """Remove what a sweep that computed nothing has made; whole : the folder too."""
+def _remove(made: list[Path], folder: Path | None) -> None:
+    """Remove what a sweep that computed nothing has made."""
     with suppress(OSError):
-        for name in (GRID, LOCK):
-            (folder / name).unlink(missing_ok=True)
-        if whole:
+        for path in made:
+            path.unlink(missing_ok=True)
+        if folder is not None:
             folder.rmdir()
 
 

@@ -91,6 +91,13 @@ def test_every_ending_gives_its_kind_of_file(result: SceneTorque, tmp_path: Path
     assert (tmp_path / "mine.CSV").read_bytes() == CONTENTS[".csv"](result)
 
 
+@pytest.mark.parametrize("sign", "=+-@")
+def test_a_name_is_no_formula_in_a_spreadsheet(sign: str) -> None:
+    named = parse_scene(changed('name = "a series"', f'name = "{sign}1+1"', SERIES), origin="here")
+    rows = CONTENTS[".csv"](torque_of_scene(named)).decode().splitlines()
+    assert {row.rpartition(",")[2] for row in rows[1:]} == {f"'{sign}1+1"}
+
+
 def test_the_page_needs_nothing_else_and_shows_markup_as_text() -> None:
     named = parse_scene(changed('name = "a series"', 'name = "<b>bold</b> & co"', SERIES), origin="here")
     page = CONTENTS[".html"](torque_of_scene(named)).decode()
