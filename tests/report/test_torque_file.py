@@ -3,6 +3,7 @@
 import csv
 import json
 import re
+from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 
@@ -93,7 +94,8 @@ def test_every_ending_gives_its_kind_of_file(result: SceneTorque, tmp_path: Path
 
 @pytest.mark.parametrize("sign", "=+-@")
 def test_a_name_is_no_formula_in_a_spreadsheet(sign: str) -> None:
-    named = parse_scene(changed('name = "a series"', f'name = "{sign}1+1"', SERIES), origin="here")
+    scene = parse_scene(SERIES, origin="here")
+    named = replace(scene, bearing=replace(scene.bearing, name=f"{sign}1+1"))
     rows = CONTENTS[".csv"](torque_of_scene(named)).decode().splitlines()
     assert {row.rpartition(",")[2] for row in rows[1:]} == {f"'{sign}1+1"}
 
