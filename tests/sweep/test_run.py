@@ -150,7 +150,7 @@ def test_a_damaged_description_of_a_sweep_is_one_line(grid_file: Write, tmp_path
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no pipes in folders")
 @pytest.mark.usefixtures("in_process")
-@pytest.mark.parametrize("name", [".lock", "sweep.json", "sweep.nc", "parts"])
+@pytest.mark.parametrize("name", [".lock", "sweep.json", "sweep.nc", "parts", "maps"])
 @pytest.mark.parametrize("kind", ["file", "folder", "nothing", "pipe"])
 def test_what_has_one_of_our_names_and_is_not_ours_is_neither_followed_nor_waited_for(
     grid_file: Write, tmp_path: Path, name: str, kind: str
