@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from stat import S_ISREG
 from typing import BinaryIO
+from zipfile import ZIP_DEFLATED, ZIP_STORED, ZipFile
 
 from analytic.errors import InputError
 
@@ -65,6 +66,13 @@ def text_of(content: bytes) -> str:
         with suppress(UnicodeDecodeError):
             return content.decode(encoding)
     return content.decode("latin-1")
+
+
+def require_deflated(archive: ZipFile) -> None:
+    """Raise InputError for parts that are packed in a rare way: bzip2 and LZMA unpack without a limit."""
+    for part in archive.infolist():
+        if part.compress_type not in (ZIP_STORED, ZIP_DEFLATED):
+            raise InputError(f"has parts in another compression than deflate ({part.compress_type}); save it again")
 
 
 def require_regular(path: str | os.PathLike[str], *, most: int, remedy: str) -> None:

@@ -20,6 +20,7 @@ HIDDEN, LISTING = ".fembearing-", ".fembearing"  # LISTING: in a folder of ours,
 REMEDIES = {
     errno.EFBIG: "raise the limit of file sizes (ulimit -f)",
     **dict.fromkeys((errno.EACCES, errno.EPERM, errno.EROFS), "give a folder that you may write"),
+    errno.EISDIR: "remove the folder that has this name",
     **dict.fromkeys((errno.ENOENT, errno.ESTALE), "its folder is gone: make it again"),
 }
 

@@ -12,6 +12,7 @@ from analytic.words import Unit
 from fembearing.plain_types import RESIDUE
 
 Words = Mapping[str, Sequence[str | int]]
+FORMULAS = ("=", "+", "-", "@")  # how they begin in a spreadsheet
 NONE: Words = MappingProxyType({})
 
 
@@ -26,12 +27,20 @@ def csv_of_columns(columns: Mapping[str, tuple[Unit, ArrayLike]], *, first: Word
         ]
         for name, (unit, values) in columns.items()
     }
-    every = {**first, **numbers, **last}
+    every = {**_as_words(first), **numbers, **_as_words(last)}
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(every)
     writer.writerows(zip(*every.values(), strict=True))
     return text.getvalue()
+
+
+def _as_words(columns: Words) -> Words:
+    """With an apostrophe before what a spreadsheet would compute, which a name may look like."""
+    return {
+        name: [f"'{cell}" if isinstance(cell, str) and cell.startswith(FORMULAS) else cell for cell in cells]
+        for name, cells in columns.items()
+    }
 
 
 def _settled(values: ArrayLike) -> np.ndarray:

@@ -52,6 +52,17 @@ def test_a_file_in_the_working_folder_is_not_imported(
     assert [*mine.iterdir()] == []
 
 
+def test_settings_of_the_compiler_in_the_working_folder_are_not_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """They could have it write files, and a file that is no YAML would stop it."""
+    mine = tmp_path / "mine"
+    mine.mkdir()
+    monkeypatch.chdir(tmp_path)
+    Path(".numba_config.yaml").write_text("no: [yaml", "utf-8")
+    assert build_process([], ["any"], Path("mine")).wait() == 0
+
+
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no pipes in folders")
 def test_settings_of_pictures_in_the_working_folder_are_not_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -1,6 +1,6 @@
 """What all figures share: colours that a colour-blind reader tells apart, letters, scales."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -27,6 +27,11 @@ def lettered(figure: "Figure") -> "Figure":
         panel.yaxis.label.set_fontsize(LETTERS)
         panel.tick_params(labelsize=LETTERS)
     return figure
+
+
+def give_title(figure: "Figure", words: str, **look: Any) -> None:
+    """Put words above a figure. Between dollars, which a name may have, matplotlib would read a formula."""
+    figure.suptitle(words.replace("$", r"\$"), wrap=True, **look)
 
 
 def scaled(panel: "Axes", values: np.ndarray, *, axis: str = "y") -> None:

@@ -13,7 +13,19 @@ import numpy as np
 
 from analytic.errors import InputError, require_packages
 from analytic.figures.series_axis import LOADS, SPEED, Columns, SeriesAxis, axis_of
-from analytic.figures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, YELLOW, plain_numbers
+from analytic.figures.style import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PURPLE,
+    RED,
+    SKY,
+    YELLOW,
+    give_title,
+    plain_numbers,
+)
 from analytic.scene import Array
 from analytic.units import Units, load_words, speed_words
 from analytic.words import rounded
@@ -244,7 +256,7 @@ def _one_point(drawn: DrawnTorque) -> "Figure":
     panel.grid(alpha=0.3, axis="x")
     panel.set_axisbelow(True)
     title = f"{drawn.title}\n{point_words(drawn)}\n{_how_exact(drawn)}"
-    figure.suptitle(title, fontsize=10, wrap=True, parse_math=False)
+    give_title(figure, title, fontsize=10)
     return figure
 
 
@@ -284,6 +296,6 @@ def lengths(drawn: DrawnTorque) -> Array:
 
 def finish(figure: "Figure", title: str, *, columns: int = 2) -> None:
     """Title above and legend below, where no data are."""
-    figure.suptitle(title, fontsize=10, wrap=True, parse_math=False)
+    give_title(figure, title, fontsize=10)
     handles, words = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, words, loc="outside lower center", ncols=columns, frameon=False, fontsize=LETTERS)

@@ -144,7 +144,8 @@ def loaded(entry: Entry, family: str | None = None) -> Callable[..., int]:
 def build_process(names: Iterable[str], families: Iterable[str], folder: Path) -> "subprocess.Popen[bytes]":
     """`building.build` in a process of its own, which alone loads the compiler."""
     around = environment() | {"NUMBA_OPT": "0"}  # optimised once, as a whole, the code is as fast, and built sooner
-    return subprocess.Popen([*MODULE, BUILDER, str(folder), *families, "of", *names], env=around)
+    command = [*MODULE, BUILDER, str(folder.absolute()), *families, "of", *names]
+    return subprocess.Popen(command, env=around, cwd=folder)  # numba reads .numba_config.yaml in the working folder
 
 
 def families() -> tuple[str, ...]:

@@ -16,7 +16,7 @@ from itertools import islice
 from typing import NamedTuple
 
 from analytic.errors import require_packages
-from analytic.reading import MILLION, content_of, text_of
+from analytic.reading import MILLION, content_of, require_deflated, text_of
 from analytic.words import plain
 
 Cell = str | int | float  # without blanks around it and with single ones inside; "" : empty
@@ -24,6 +24,7 @@ Cell = str | int | float  # without blanks around it and with single ones inside
 WORKBOOK, OLD_WORKBOOK = b"PK\x03\x04", b"\xd0\xcf\x11\xe0"  # how these files begin
 LARGEST_FILE, LARGEST_UNPACKED = 2_000_000, 20_000_000  # bytes
 MOST_ROWS, MOST_COLUMNS = 20_000, 200
+LAST_ROW = 100_000  # of an .xlsx, with empty ones: a row may say any number, and all before it are read
 SEPARATORS = "\t;,"  # the first that is there: a comma may be decimal, and a semicolon may stand in a text
 # A comment, or the separator as Excel declares it; but "#DIV/0!", "#N/A" and "#NV" are failed cells.
 ASIDE = re.compile(r"\s*(?:#(?!N/?[AV]\b|[A-Z0-9/]+[!?])|sep=.\s*$)")
@@ -92,6 +93,7 @@ def _of_workbook(content: bytes) -> Iterator[Line]:
 
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as parts:
+            require_deflated(parts)
             unpacked = sum(part.file_size for part in parts.infolist())
         if unpacked > LARGEST_UNPACKED:
             raise ValueError(f"it unpacks to more than {LARGEST_UNPACKED // MILLION} MB")
@@ -100,6 +102,8 @@ def _of_workbook(content: bytes) -> Iterator[Line]:
             sheet = book.worksheets[0]
             sheet.reset_dimensions()  # some programs write wrong ones
             for number, row in enumerate(sheet.iter_rows(max_col=MOST_COLUMNS + 1), start=1):
+                if number > LAST_ROW:
+                    raise ValueError(f"it says that it has more than {LAST_ROW} rows")
                 cells = [_cell(each.value, each.number_format) for each in row]
                 while cells and cells[-1] == "":
                     cells.pop()

@@ -8,6 +8,7 @@ import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -31,7 +32,9 @@ SAME_SPACING = 1e-3  # relative difference of two spacings: moments of slopes ch
 # squares of height, slope and curvature by up to this share: as much as these scatter from place to place.
 MOST_GAPS = 0.05
 HIGHEST = 1e-3  # m, from the lowest to the highest point: larger heights are not in metres, or the part is broken
-SMOOTHEST = 1e-9  # m, Sq: polished silicon has some 0.1 nm, finished races have 10 nm and more
+# m, Sq: polished silicon has some 0.1 nm, finished races have 10 nm and more; turned steel has some um
+SMOOTHEST, ROUGHEST = 1e-9, 1e-5
+DENSEST, WIDEST_SPACING = 1e-10, 1e-3  # m: atoms are as far apart, and waves of roughness are shorter
 ROUND_OFF = 64 * np.finfo(np.float64).eps  # of the heights; sums over 4096 points and a form leave a few eps
 WIDEST = 0.1  # correlation length over domain, and spacing over correlation length: more spoils statistics or summits
 MOST_UNEQUAL = 1.5  # ratio of the mean squared slopes along x and y: more is a lay, and the summits are no spheres
@@ -41,7 +44,9 @@ GAP = re.compile(r"(?i)(?<![^\s;,])(bad|n/?a|nan|\*+|-+)(?![^\s;,])")  # as inst
 BETWEEN = re.compile(r"[;,\s]+")
 WITH_COMMA = r"[-+]?\d+,\d+([eE][-+]?\d+)?"
 TWO_WAYS = re.compile(rf"{WITH_COMMA}(,{WITH_COMMA})*")  # numbers with decimal commas, or twice as many without
-EVEN = 0.01  # relative difference of steps: positions have equal ones up to rounding, rough heights never
+ENOUGH_CELLS = 2 * FEWEST_POINTS  # of a line, to see whether it has numbers; a decimal comma makes two of one
+SIZE = re.compile(r"\d[\d.,]*([eE][-+]?\d+)?\s*[^\W\d]*")
+OTHER_UNIT = re.compile(r"(?i)(?<!\w)([npcumµμ]m|Å|inch|mil|(micro|nano|milli|centi)met\w+|microns?)(?!\w)")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -73,7 +78,7 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float | None = Non
     measured are filled along rows and columns, with a warning.
     Raises InputError for a file that cannot be read, has another format, or holds no matrix of real numbers, for
     spacings that differ, fewer than 32 or more than 4096 points in a direction, more gaps, and for heights that cannot
-    be metres: Sq below 1 nm, or a span above 1 mm.
+    be metres: Sq below 1 nm or above 10 um, a span above 1 mm, or a head of a text that names another unit.
     """
     if spacing is not None:
         require_positive(spacing=spacing)
@@ -98,6 +103,11 @@ def _one_spacing(found: MapData, given: float | None) -> float:
         return given
     along_x, along_y = found.spacings
     require_positive(spacing=found.spacings)
+    if not DENSEST <= min(found.spacings) <= max(found.spacings) <= WIDEST_SPACING:
+        raise InputError(
+            f"has points every {along_x:.6g} m along x and {along_y:.6g} m along y, and roughness is measured at "
+            f"{DENSEST:g} to {WIDEST_SPACING:g} m; export it again, with spacings in m"
+        )
     if not abs(along_x - along_y) <= SAME_SPACING * along_x:
         raise InputError(
             f"has points every {length_of(along_x, '.6g')} along x and {length_of(along_y, '.6g')} along y; resample "
@@ -144,6 +154,11 @@ def _checked(found: MapData, spacing: float) -> HeightMap:
         raise InputError(
             f"heights have Sq {roughness * 1e9:.3g} nm without plane and form, less than {SMOOTHEST * 1e9:g} nm, and "
             "no race is so smooth; give them in m"
+        )
+    if roughness > ROUGHEST:
+        raise InputError(
+            f"heights have Sq {length_of(roughness)} without plane and form, more than {length_of(ROUGHEST)}, and no "
+            "race is so rough; give them in m"
         )
     return HeightMap(heights=heights, spacing=spacing, with_form=with_form, warnings=tuple(doubts))
 
@@ -250,12 +265,15 @@ def _read_text(path: str | os.PathLike[str]) -> MapData:
     parts = text_of(content).replace("\r\n", "\n").replace("\r", "\n").split("\n", MOST_LINES)
     if len(parts) > MOST_LINES or max(map(len, parts)) > LONGEST_LINE:
         raise InputError(f"has more than {MOST_LINES} lines, or longer ones than {LONGEST_LINE} characters; {MATRIX}")
-    lines = [stripped for part in parts if (stripped := part.strip(" ")) and stripped[0] != "#"]
-    start = next((number for number, line in enumerate(lines) if _width(line) >= FEWEST_POINTS), None)
+    lines = {number: line for number, part in enumerate(parts) if (line := part.strip(" ")) and line[0] != "#"}
+    start = next((number for number, line in lines.items() if _has_numbers(line)), None)
     if start is None:
         raise InputError(f"has no row of {FEWEST_POINTS} or more numbers; {MATRIX}")
-    rows, first = lines[start:], lines[start]
-    require_matrix((len(rows), _width(first)))
+    _require_metres(parts[:start])
+    places = [number for number in lines if number >= start]
+    if len({later - earlier for earlier, later in pairwise(places)}) > 1:
+        raise InputError(f"has lines between its rows, as between two maps; {MATRIX}")
+    rows, first = [lines[number] for number in places], lines[start]
     separator = next((sign for sign in "\t;" if sign in first), None)
     is_decimal = separator is not None or re.search(r"\d\s+[-+.\d]", first) is not None
     if not is_decimal and "," in first:
@@ -267,26 +285,41 @@ def _read_text(path: str | os.PathLike[str]) -> MapData:
     for is_at, without in ((str.endswith, str.removesuffix), (str.startswith, str.removeprefix)):
         while separator is not None and 2 * sum(is_at(row, separator) for row in rows) > len(rows):  # beside each row
             rows = [without(row, separator) for row in rows]
+    require_matrix((len(rows), len(rows[0].split(separator))))
     if is_decimal:
         rows = (row.replace(",", ".") for row in rows)
     if separator is not None:
         empty = re.compile(rf"(?:^|(?<={separator})) *(?={separator}|$)")
         rows = (empty.sub("nan", row) for row in rows)
     heights = np.loadtxt((GAP.sub("nan", row) for row in rows), delimiter=separator, ndmin=2, dtype=np.float64)
-    for line, name in ((heights[0, 1:], "row"), (heights[1:, 0], "column")):
-        with np.errstate(over="ignore", invalid="ignore"):  # of numbers near the largest double
-            steps = np.diff(line)
-            is_even = np.ptp(steps) < EVEN * abs(steps.mean())
-        if is_even:
-            raise InputError(f"has a first {name} of equal steps, which are positions; leave this {name} out")
+    for line, following, name in (
+        (heights[0, 1:], heights[1, 1:], "row"),
+        (heights[1:, 0], heights[1:, 1], "column"),
+    ):
+        if _are_positions(line, following):
+            raise InputError(f"has a first {name} that only rises or falls, as positions do; leave this {name} out")
     return MapData(heights)
 
 
-def _width(line: str) -> int:
-    """The numbers and gaps of a line; 0: it has words too."""
-    cells = BETWEEN.split(line.strip(";,\t "))
-    known = len(cells) > MOST_POINTS or all(NUMBER.fullmatch(cell) or GAP.fullmatch(cell) for cell in cells)
-    return len(cells) if known else 0
+def _has_numbers(line: str) -> bool:
+    """Whether a line is a row, perhaps with something that is no number: it is no head then, but refused."""
+    cells = BETWEEN.split(line.strip(";, \t"), ENOUGH_CELLS)[:ENOUGH_CELLS]
+    return sum(bool(NUMBER.fullmatch(cell) or GAP.fullmatch(cell)) for cell in cells) >= FEWEST_POINTS
+
+
+def _require_metres(head: list[str]) -> None:
+    """Raise InputError where a head names another unit; sizes with their units, as 12 um, may stand there."""
+    for line in head:
+        if unit := OTHER_UNIT.search(SIZE.sub("", line)):
+            raise InputError(f"has {unit[0]} in its head; give heights in m, without this word")
+
+
+def _are_positions(line: Array, following: Array) -> bool:
+    """Positions only rise or only fall, unlike the heights beside them, which a tilted surface has in common."""
+    with np.errstate(over="ignore", invalid="ignore"):  # of numbers near the largest double
+        steps = np.diff(line)
+        is_monotone = np.all(steps >= 0) or np.all(steps <= 0)
+        return bool(is_monotone and np.ptp(line - following) > np.ptp(line) / 2)
 
 
 READERS = {

@@ -17,7 +17,7 @@ import numpy as np
 
 from analytic.errors import InputError
 from analytic.processes import MODULE, environment
-from analytic.reading import require_regular
+from analytic.reading import require_deflated, require_regular
 from analytic.surface.map_data import MapData, require_matrix
 from analytic.words import plain
 
@@ -53,7 +53,9 @@ def instrument_map(path: str | os.PathLike[str], kind: str = "") -> MapData:
     command = [*MODULE, __name__, os.path.abspath(path), kind or FORMATS[Path(path).suffix.lower()]]
     around = environment() | {"OPENBLAS_NUM_THREADS": "1"}  # each thread reserves memory
     try:
-        ended = subprocess.run(command, capture_output=True, check=False, timeout=PATIENCE, env=around)
+        ended = subprocess.run(
+            command, capture_output=True, check=False, timeout=PATIENCE, env=around, cwd=Path(__file__).parent
+        )
     except subprocess.TimeoutExpired as problem:
         raise InputError(f"was not read within {PATIENCE} s; {AGAIN}") from problem
     head, _, content = ended.stdout.partition(b"\n")
@@ -80,6 +82,7 @@ def _read(path: str, kind: str) -> MapData:
 
     if is_zipfile(path):
         with ZipFile(path) as archive:  # never gives more than it says
+            require_deflated(archive)
             if sum(part.file_size for part in archive.infolist()) > LARGEST:
                 raise InputError(f"unpacks to more than {LARGEST // 1_000_000} MB; {AGAIN}")
     with open_topography(path, format=kind) as reader:

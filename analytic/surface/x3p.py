@@ -12,7 +12,7 @@ from zipfile import ZipFile
 import numpy as np
 
 from analytic.errors import InputError
-from analytic.reading import opened
+from analytic.reading import opened, require_deflated
 from analytic.scene import Array
 from analytic.surface.map_data import MapData, require_matrix
 
@@ -35,6 +35,7 @@ def x3p_map(path: str | os.PathLike[str]) -> MapData:
     Raises InputError for a file that holds no map, and other errors for damaged archives.
     """
     with opened(path, most=LARGEST, remedy="give the path of a height map") as file, ZipFile(file) as archive:
+        require_deflated(archive)
         names = [name for name in archive.namelist() if PurePosixPath(name).name == "main.xml"]
         if not names:
             raise InputError(f"has no main.xml, so it is no X3P file; {AGAIN}")
@@ -79,6 +80,8 @@ def _heights(
         raise InputError(f"has {heights.size} heights for {shape[0]} by {shape[1]} points; {AGAIN}")
     if valid := _text(root, "Record3/DataLink/ValidPointsLink", ""):
         bits = np.frombuffer(_unpacked(archive, str(folder / valid), -(-count // 8)), dtype=np.uint8)
+        if 8 * bits.size < count:
+            raise InputError(f"says of {8 * bits.size} points whether they are valid, and has {count}; {AGAIN}")
         heights[np.unpackbits(bits, bitorder="little")[:count] == 0] = np.nan
     return heights.reshape(shape)
 

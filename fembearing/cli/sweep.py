@@ -12,8 +12,6 @@ from fembearing.cli.status import DONE, INTERRUPTED, NOT_SOLVED, complain, say
 if TYPE_CHECKING:
     from fembearing.sweep.run import Sweep
 
-MAPS = "maps"
-
 
 def sweep(
     talk: Talk,
@@ -75,6 +73,7 @@ def _maps(result: "Sweep") -> list[Path]:
     """The maps of the dataset, in place of those of an earlier run."""
     from analytic.writing import new_folder
     from fembearing.report.figures.sweep_maps import PLOTTED, write_maps  # takes matplotlib
+    from fembearing.sweep.store import MAPS
 
     folder = Path(result.folder) / MAPS
     with new_folder(folder, force=True) as apart:

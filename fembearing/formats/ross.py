@@ -26,7 +26,9 @@ COEFFICIENTS = {  # sign and place in the stiffness of the ring: z, x, y and til
     "kyy": (1, 1, 1),
     "kzz": (1, 0, 0),
 }
+# Its first line settles the encoding: a name behind it that declares another one, in which it is code, does nothing.
 TEXT = """\
+# coding: utf-8
 # Stiffness of {bearing} for ROSS, computed by fembearing: {axes}
 #
 #     from {module} import bearing

@@ -37,10 +37,11 @@ GRID, RESULT = "sweep.json", "sweep.nc"
 WARNINGS = "warnings"  # beside the columns of words
 MOST_WARNINGS = 20  # kept for a piece
 PARTS, LOCK = "parts", ".lock"
-KINDS = {GRID: S_ISREG, RESULT: S_ISREG, LOCK: S_ISREG, PARTS: S_ISDIR}
+MAPS = "maps"  # pictures of the dataset, which the command draws
+KINDS = {GRID: S_ISREG, RESULT: S_ISREG, LOCK: S_ISREG, PARTS: S_ISDIR, MAPS: S_ISDIR}
 HEIGHT_MAP, TRACTION = "surface.height_map.path", "lubricant.traction"
 LARGEST_MAP = 400_000_000  # bytes
-LONGEST = 2_000  # bytes of the words at one point
+LONGEST = 2_000  # bytes of the words at one point, and letters of one
 DIGITS = 32  # of a hash in a file name
 DIGEST = hashlib.sha256().digest_size
 
@@ -79,8 +80,8 @@ class Store:
             head, _, body = content.partition(b"\n")
             words: dict[str, list[str]] = json.loads(head)
             given = {name for name, column in values.items() if column.dtype == object} | {WARNINGS}
-            words_are_sound = all(word.isprintable() for each in words.values() for word in each)
-            if not words_are_sound or words.keys() != given or digest != hashlib.sha256(content).digest():
+            are_sound = all(isinstance(each, list) and all(map(_is_line, each)) for each in words.values())
+            if not are_sound or words.keys() != given or digest != hashlib.sha256(content).digest():
                 return None
             warnings = dict.fromkeys(words.pop(WARNINGS))
             numbers = [name for name in values if name not in words]
@@ -96,6 +97,10 @@ class Store:
         return self.folder / RESULT
 
 
+def _is_line(word: object) -> bool:
+    return isinstance(word, str) and word.isprintable() and len(word) <= LONGEST
+
+
 @contextmanager
 def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
     """The folder of this grid, made if it is missing, and locked for other processes.
@@ -106,6 +111,7 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
     place = f"--out {str(folder)!r}"
     require_utf8(folder)
     was_there = os.path.lexists(folder)
+    was_locked = os.path.lexists(folder / LOCK)
     hashes = _hashes(grid)
     description = folder / GRID
     _require_own(folder, place)
@@ -128,7 +134,7 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
             yield Store(folder=folder, grid=grid, identity=identity)
         except BaseException:
             if is_new and not (folder / PARTS).exists():
-                _remove(folder, whole=not was_there)
+                _remove([description] if was_locked else [description, folder / LOCK], None if was_there else folder)
             raise
 
 
@@ -140,12 +146,12 @@ def _require_own(folder: Path, place: str) -> None:
                 raise InputError(f"{place}: {name!r} in it is not of a sweep: give a new name, or remove it first")
 
 
-def _remove(folder: Path, *, whole: bool) -> None:
-    """Remove what a sweep that computed nothing has made; whole : the folder too."""
+def _remove(made: list[Path], folder: Path | None) -> None:
+    """Remove what a sweep that computed nothing has made."""
     with suppress(OSError):
-        for name in (GRID, LOCK):
-            (folder / name).unlink(missing_ok=True)
-        if whole:
+        for path in made:
+            path.unlink(missing_ok=True)
+        if folder is not None:
             folder.rmdir()
 
 

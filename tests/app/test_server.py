@@ -30,7 +30,16 @@ BUSY = 5.0  # s without a connection
 
 
 @pytest.fixture(scope="module")
-def server() -> Iterator[tuple[str, int]]:
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The working folder, with what NiceGUI stores, by others."""
+    stored = tmp_path_factory.mktemp("others") / ".nicegui"
+    stored.mkdir()
+    (stored / "storage-general.json").write_text("no {json", "utf-8")
+    return stored.parent
+
+
+@pytest.fixture(scope="module")
+def server(folder: Path) -> Iterator[tuple[str, int]]:
     """Address and process of the program."""
     with socket.socket() as tried:
         tried.bind(("127.0.0.1", 0))
@@ -38,7 +47,11 @@ def server() -> Iterator[tuple[str, int]]:
     command = [sys.executable, "-m", "fembearing", "app", "--no-browser", "--port", address.partition(":")[2]]
     # NiceGUI looks for this variable of pytest, and would simulate a server.
     variables = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL, env=variables) as running:
+    variables["PYTHONPATH"] = os.pathsep.join(filter(None, sys.path))
+    with (
+        (folder / "said").open("w") as said,
+        subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=said, env=variables, cwd=folder) as running,
+    ):
         try:
             end = time.monotonic() + PATIENCE
             while status(f"http://{address}") is None and running.poll() is None and time.monotonic() < end:
@@ -108,3 +121,8 @@ def test_requests_without_a_browser_take_no_memory(server: tuple[str, int]) -> N
     for _ in range(REQUESTS):
         assert status(f"http://{address}", {"Sec-Fetch-Site": "none"}) == 200
     assert memory() - before < MOST_GROWTH
+
+
+def test_what_others_stored_in_the_working_folder_is_not_read(server: tuple[str, int], folder: Path) -> None:
+    assert status(f"http://{server[0]}") == 200
+    assert "storage" not in (folder / "said").read_text("utf-8")

@@ -45,7 +45,8 @@ def test_a_sweep_writes_its_files_and_a_second_run_keeps_them(
     (tmp_path / "out" / "maps").rename(tmp_path / "mine")
     (tmp_path / "out" / "maps").symlink_to(tmp_path / "mine")
     (tmp_path / "mine" / "torque_total.png").write_text("precious", "utf-8")
-    assert sweep(grid_file(AXES))[0] == 0
+    status, _, complaint = sweep(grid_file(AXES))
+    assert (status, "'maps' in it is not of a sweep" in complaint) == (2, True)
     assert (tmp_path / "mine" / "torque_total.png").read_text("utf-8") == "precious"
 
 

@@ -78,8 +78,15 @@ def test_a_rotor_of_ross_runs_on_it(scene: Scene, tmp_path: Path) -> None:
     np.testing.assert_allclose(np.diag(first.K(**whirl)), np.diag(right)[[2, 1, 0]], rtol=0.01)
 
 
-def test_the_name_of_a_bearing_is_never_code(scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    named = replace(scene, bearing=replace(scene.bearing, name="""a'''; 1 / 0; "\""; 1 / 0; \\N"""))
+@pytest.mark.parametrize(
+    "name",
+    ["""a'''; 1 / 0; "\""; 1 / 0; \\N""", r"coding: unicode_escape \u000a1 / 0\u000a#"],
+    ids=["quotes", "encoding"],
+)
+def test_the_name_of_a_bearing_is_never_code(
+    name: str, scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    named = replace(scene, bearing=replace(scene.bearing, name=name))
     file = export(named, to="ross", out=tmp_path / "bearing.py", over=OVER).file
     monkeypatch.setitem(sys.modules, "ross", SimpleNamespace(BearingElement=ELEMENTS[3]))
     assert len(runpy.run_path(str(file))["SPEED"]) == 6

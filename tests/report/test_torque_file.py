@@ -3,6 +3,7 @@
 import csv
 import json
 import re
+from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 
@@ -89,6 +90,14 @@ def test_every_ending_gives_its_kind_of_file(result: SceneTorque, tmp_path: Path
     assert lacking is None
     assert [path.name for path in tmp_path.iterdir()] == ["mine.CSV"]
     assert (tmp_path / "mine.CSV").read_bytes() == CONTENTS[".csv"](result)
+
+
+@pytest.mark.parametrize("sign", "=+-@")
+def test_a_name_is_no_formula_in_a_spreadsheet(sign: str) -> None:
+    scene = parse_scene(SERIES, origin="here")
+    named = replace(scene, bearing=replace(scene.bearing, name=f"{sign}1+1"))
+    rows = CONTENTS[".csv"](torque_of_scene(named)).decode().splitlines()
+    assert {row.rpartition(",")[2] for row in rows[1:]} == {f"'{sign}1+1"}
 
 
 def test_the_page_needs_nothing_else_and_shows_markup_as_text() -> None:

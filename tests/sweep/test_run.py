@@ -110,6 +110,8 @@ DAMAGE: dict[str, Callable[[bytes], bytes]] = {
     "fewer words": lambda content: content.replace(b'["", ', b"[", 1),
     "a number for a word": lambda content: content.replace(b'[""', b"[7", 1),
     "a text for words": lambda content: re.sub(rb"\[[^]]*\]", b'"text"', content, count=1),
+    "a table for words": lambda content: re.sub(rb"\[[^]]*\]", b'{"a": 1, "b": 2}', content, count=1),
+    "endless words": lambda content: content.replace(b'[""', b'["' + b"x" * 9000 + b'"', 1),
     "what a terminal would obey": lambda content: content.replace(b'[""', b'["\\u001b[2J"', 1),
     "endless brackets": lambda _: b"[" * 100_000,
     "endless digits": lambda content: content.replace(b'[""', b"[" + b"7" * 9000, 1),
@@ -148,7 +150,7 @@ def test_a_damaged_description_of_a_sweep_is_one_line(grid_file: Write, tmp_path
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no pipes in folders")
 @pytest.mark.usefixtures("in_process")
-@pytest.mark.parametrize("name", [".lock", "sweep.json", "sweep.nc", "parts"])
+@pytest.mark.parametrize("name", [".lock", "sweep.json", "sweep.nc", "parts", "maps"])
 @pytest.mark.parametrize("kind", ["file", "folder", "nothing", "pipe"])
 def test_what_has_one_of_our_names_and_is_not_ours_is_neither_followed_nor_waited_for(
     grid_file: Write, tmp_path: Path, name: str, kind: str
@@ -247,6 +249,10 @@ def test_a_folder_that_holds_something_else_is_left_alone(grid_file: Write, tmp_
         run_sweep(path, out=path)
     with pytest.raises(InputError, match="cannot be made: Not a directory; give a folder that you may write"):
         run_sweep(path, out=path / "below")
+    (out / "mine.txt").rename(out / ".lock")
+    with pytest.raises(InputError, match="conformity"):
+        run_sweep(grid_file("bearing.conformity = [7, 8]"), out=out)
+    assert [file.read_text() for file in out.iterdir()] == ["mine"]
     shutil.rmtree(out)
     with pytest.raises(InputError, match="--workers 0: give a whole number from 1"):
         run_sweep(path, out=out, workers=0)

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from analytic.figures.style import BLACK, BLUE, LETTERS, ORANGE, RED, TITLE, WIDTH, lettered, plain_numbers
+from analytic.figures.style import BLACK, BLUE, LETTERS, ORANGE, RED, TITLE, WIDTH, give_title, lettered, plain_numbers
 from analytic.units import MILLISECOND, Units
 from fembearing.check.cage_record import DrawnMotion
 from fembearing.report.report import Report
@@ -77,12 +77,11 @@ def orbit_figure(motion: DrawnMotion, units: Units, *, captioned: bool = False) 
         draw(panel, motion, units)
     torque, high = (units.torque.written(value, ".3g") for value in (motion.torque, motion.torque_interval[1]))
     low = f"{units.torque.number(motion.torque_interval[0]):.3g}"
-    figure.suptitle(
+    give_title(
+        figure,
         f'{motion.bearing} at {units.speed.written(motion.inner_speed, ".5g")}: regime "{motion.state}", started '
         f'"{motion.start}"; cage torque {torque}, {low} to {high} at 95 %',
-        parse_math=False,  # a bearing's name is a person's
         fontsize=TITLE,
-        wrap=True,
     )
     if captioned:
         figure.supxlabel(textwrap.fill(cage_caption(motion), 114), x=0.01, ha="left", fontsize=LETTERS)

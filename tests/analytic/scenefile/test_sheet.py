@@ -152,9 +152,21 @@ def packed(size: int) -> bytes:
     return content.getvalue()
 
 
+def edited(old: bytes, new: bytes, method: int = zipfile.ZIP_DEFLATED) -> bytes:
+    """The workbook with other words in its first sheet, and in another compression."""
+    content = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(BOOK)) as parts, zipfile.ZipFile(content, "w", method) as changed:
+        for name in parts.namelist():
+            part = parts.read(name)
+            changed.writestr(name, part.replace(old, new) if name.endswith("sheet1.xml") else part)
+    return content.getvalue()
+
+
 @pytest.mark.parametrize(
     ("content", "words"),
     [
+        (edited(b'<row r="700"', b'<row r="99999999999"'), "more than 100000 rows"),  # empty ones, one after the other
+        (edited(b"", b"", zipfile.ZIP_BZIP2), "compression"),  # which unpacks without a limit
         (packed(LARGEST_UNPACKED + 1), "unpacks to more than 20 MB"),
         (packed(9), "is no .xlsx that can be read"),
         (BOOK[: len(BOOK) // 2], "is no .xlsx that can be read"),

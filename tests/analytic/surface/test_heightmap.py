@@ -141,6 +141,34 @@ def test_words_and_empty_cells_are_gaps(tmp_path: Path, separator: str, gap: str
     assert computed.warnings[0].startswith("0.283 %"), "6 of 2120"
 
 
+def positions(digits: int) -> list[str]:
+    return [f"{place * 1e-6 / 3:.{digits}e}" for place in range(53)]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("z [mm]\n" + written(";"), "has mm in its head"),
+        ("# Z (\xb5m), 5 m\n" + written("\t"), "has \xb5m in its head"),
+        (";".join(positions(1)) + "\n" + written(";"), "first row that only rises or falls"),
+        ("\n".join(";".join(row) for row in zip(positions(1), written(";").split("\n"), strict=False)), "first column"),
+        ("\n".join(row[: row.rindex(";")] for row in written(";")[:-1].split("\n")).replace("e", "x", 1), "x"),
+        (written("\t") + "\n\n" + written("\t"), "lines between its rows"),
+        ("\n".join(";".join(row.split(";")[:20]) for row in written(";", ",").split("\n")), "has 40 by 20 points"),
+    ],
+)
+def test_a_text_map_that_could_be_read_wrongly_is_refused(tmp_path: Path, text: str, words: str) -> None:
+    """Other units, positions, a first row with a word, two maps, too few columns, gaps at one end or the other."""
+    (tmp_path / "map.txt").write_text(text)
+    assert words in refusal(tmp_path / "map.txt")
+
+
+def test_a_wide_text_map_with_decimal_commas_is_read(tmp_path: Path) -> None:
+    row = ";".join(f"{each:.6g}" for each in np.tile(ROUGH, 50)[0].tolist()).replace(".", ",")
+    (tmp_path / "map.txt").write_text("\n".join([row, ";".join(reversed(row.split(";")))] * 20))
+    assert read_height_map(tmp_path / "map.txt", spacing=SPACING).heights.shape == (40, 2650)
+
+
 class Bomb:
     """Runs code when unpickled."""
 
@@ -162,6 +190,7 @@ def saved(path: Path, heights: object) -> Path:
         (np.zeros((32, 4097), dtype=np.int8), "has 32 by 4097 points"),
         (np.zeros((40, 40), dtype=complex), "holds complex128, not real numbers"),
         (ROUGH * 1e6, "give them in m, not in um"),
+        (ROUGH * 1e3, "more than 10 um, and no race is so rough"),
         (np.array([[Bomb()] * 40] * 40), "not a matrix of numbers"),
     ],
 )

@@ -1,7 +1,7 @@
 """Height maps in X3P files as instruments write them, and as nobody should."""
 
 from pathlib import Path
-from zipfile import ZIP_DEFLATED, ZipFile
+from zipfile import ZIP_BZIP2, ZIP_DEFLATED, ZIP_LZMA, ZipFile
 
 import numpy as np
 import pytest
@@ -75,6 +75,8 @@ def test_gaps_are_named_with_their_share(tmp_path: Path, way: str) -> None:
         ({"y": 2.3e-6}, ("1.7 um along x and 2.3 um along y", "square grid")),
         ({"x": 3e-6, "y": 3e-6}, ("every 3 um, got spacing 1.7 um",)),
         ({"x": "nan"}, ("spacing",)),
+        ({"x": 1.0, "y": 1.0}, ("every 1 m", "spacings in m")),
+        ({"x": 1e-300, "y": 1e-300}, ("every 1e-300 m",)),
         ({"z": 0.0, "kind": "L"}, ("steps of 0 m",)),
         ({"kind": "Q"}, ("type Q",)),
         ({"axis": "A"}, ("axis CX",)),
@@ -110,6 +112,18 @@ def test_a_part_that_unpacks_to_much_is_read_no_further_than_it_may_be_long(tmp_
         for name, content in (parts | {part: bytes(60_000_000)}).items():
             archive.writestr(name, content)
     refused(lambda: read_height_map(file), "race.x3p", f"{Path(part).name} of more than")
+
+
+@pytest.mark.parametrize("method", [ZIP_BZIP2, ZIP_LZMA])
+def test_a_compression_without_limit_is_refused(tmp_path: Path, method: int) -> None:
+    """Python unpacks a whole block of these, whatever is asked for."""
+    file = x3p(tmp_path / "race.x3p", ROUGH)
+    with ZipFile(file) as archive:
+        parts = {name: archive.read(name) for name in archive.namelist()}
+    with ZipFile(file, "w", method) as archive:
+        for name, content in parts.items():
+            archive.writestr(name, content)
+    refused(lambda: read_height_map(file), "race.x3p", "compression", "save it again")
 
 
 def test_entities_that_would_grow_without_limit_are_refused(tmp_path: Path) -> None:

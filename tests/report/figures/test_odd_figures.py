@@ -16,6 +16,7 @@ from fembearing.report.figures.contacts import convergence_plot, pressure_plot
 from fembearing.report.figures.measured import axis_of, measured_figure
 from fembearing.report.figures.prediction import interval_figure
 from fembearing.report.figures.ring import LEAST_SPAN, ring_plot
+from fembearing.report.figures.style import png
 from fembearing.report.figures.torque import compared_figure, friction_plot, torque_plot
 from fembearing.report.report import Report
 from tests.analytic.specimens import present
@@ -90,6 +91,13 @@ def test_points_without_a_torque_are_not_drawn_and_none_at_all_is_refused() -> N
     assert len(figure.axes[0].get_yticks()) == 2
     with pytest.raises(InputError, match="no operating point has a torque"):
         torque_figure(torque_drawn(torque_total=[np.nan, np.nan]))
+
+
+@pytest.mark.parametrize("points", [1, 3])
+def test_a_long_title_with_a_formula_that_is_none_is_drawn(points: int) -> None:
+    """matplotlib measures a title before it breaks it into lines."""
+    figure = torque_figure(replace(torque_drawn(points), title=r"$\input{here}$ ^_{" * 12))
+    assert png(figure)
 
 
 def test_a_small_part_has_one_digit_a_residue_is_0_and_names_are_no_formulas() -> None:
