@@ -1,5 +1,6 @@
 """Numbers that a formula refuses: one by one, a few, or the ends of many; and what the refusals say."""
 
+import re
 from collections.abc import Callable
 from typing import Any
 
