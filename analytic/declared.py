@@ -16,7 +16,7 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Protocol, Unio
 from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.given import has_unit, why_no_unit
-from analytic.quantity import Dimension, Series
+from analytic.quantity import Dimension, Series, word_like
 from analytic.words import shown
 
 
@@ -47,9 +47,10 @@ class Word:
 
     def read(self, given: object) -> Any:
         """The word. Raises ValueError for another one."""
-        if not isinstance(given, str) or given not in self.words:
+        word = word_like(given, self.words)
+        if word is None:
             raise ValueError(f"is not a word known here; {self.accepted}")
-        return given
+        return word
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 """Errors that a user can act on; any other exception is a bug in fembearing."""
 
 from importlib.util import find_spec
+from numbers import Integral
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,7 +12,7 @@ from analytic.given import has_unit, why_no_unit
 BROUGHT_BY = {
     "skfem": ("scikit-fem", "check"),
     **{name: (name, "check") for name in ("jinja2", "matplotlib", "meshio", "pyvista", "threadpoolctl")},
-    **{name: (name, "sweep") for name in ("dask", "distributed", "netCDF4", "pandas", "xarray")},
+    **{name: (name, "sweep") for name in ("dask", "distributed", "netCDF4", "openpyxl", "pandas", "xarray")},
     "nicegui": ("nicegui", "app"),
 }
 
@@ -108,6 +109,13 @@ def require_non_negative(**values: ArrayLike) -> None:
         array = real_numbers(name, value)
         if not all(0 <= each < np.inf for each in _ends(array)):
             _refuse(name, array, np.isfinite(array) & (array >= 0), "at least 0 and finite")
+
+
+def require_whole(*, low: int, **values: int | None) -> None:
+    """Raise InputError unless every value is a whole number from `low`, or None."""
+    for name, value in values.items():
+        if value is not None and not (isinstance(value, Integral) and value >= low):
+            raise InputError(f"{name} = {value!r:.80}: give a whole number from {low}, or leave it out")
 
 
 def _ends(array: NDArray[np.float64]) -> list[float]:

@@ -261,19 +261,27 @@ def _lacking(scene: Scene) -> Iterator[str]:
         yield "the total is without the hydrodynamic rolling resistance: add a table [lubricant]"
 
 
+def usual_speed(scene: Scene) -> float:
+    """Speed up to which n d_m is usual practice with the supply of the oil, rad/s; without an oil as in a bath."""
+    is_hybrid = scene.bearing.ball_material.density < LIGHTEST_STEEL
+    supply = _supply(scene)
+    limit = HYBRID_JET if is_hybrid and supply == "oil_jet" else USUAL_SPEEDS[supply]
+    return limit / (RPM.factor * MILLIMETRE.number(scene.bearing.pitch_diameter))
+
+
+def _supply(scene: Scene) -> Supply:
+    return "oil_bath" if scene.lubricant is None else scene.lubricant.supply
+
+
 def too_fast(scene: Scene) -> str | None:
     """That n d_m is beyond usual practice, in words; None: it is not."""
-    oil, bearing = scene.lubricant, scene.bearing
-    supply = "oil_bath" if oil is None else oil.supply
-    is_hybrid = bearing.ball_material.density < LIGHTEST_STEEL
-    limit = HYBRID_JET if is_hybrid and supply == "oil_jet" else USUAL_SPEEDS[supply]
-    fastest = float(np.max(np.abs(scene.operation.inner_speed), initial=0.0))
-    found = MILLIMETRE.number(RPM.number(fastest) * bearing.pitch_diameter)
-    if found <= limit:
+    fastest, usual = float(np.max(np.abs(scene.operation.inner_speed), initial=0.0)), usual_speed(scene)
+    if fastest <= usual:
         return None
+    found, limit = (RPM.number(speed) * MILLIMETRE.number(scene.bearing.pitch_diameter) for speed in (fastest, usual))
     return (
-        f"n d_m = {found:.3g} mm/min exceeds {limit:.2g} mm/min, the usual limit with {supply.replace('_', ' ')}: life "
-        "of cage and lubrication not checked"
+        f"n d_m = {found:.3g} mm/min exceeds {limit:.2g} mm/min, the usual limit with "
+        f"{_supply(scene).replace('_', ' ')}: life of cage and lubrication not checked"
     )
 
 

@@ -10,6 +10,7 @@ A key says how its unit is read, wherever people write it: "60 C" is 60 degC, "3
 
 import re
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache, lru_cache
@@ -24,10 +25,11 @@ FACTOR = r"(?:[A-Za-zµμ°Ω][A-Za-z_µμ°Ω]{0,29}|%)(?:(?:\^|\*\*)?-?\d)?"
 UNIT = rf"(?:1? */ *)?{FACTOR}(?: *[*/·] *{FACTOR}| +{FACTOR})*"
 QUANTITY = re.compile(rf" *({NUMBER}) *({UNIT}|\") *", re.ASCII)
 LONGEST = 80  # characters; limits the time of a match
-RAISED = {"⁻¹": "^-1", "²": "^2", "³": "^3"}
+RAISED = {"⁻¹": "^-1", "²": "^2", "³": "^3", "\N{DOT OPERATOR}": "·", "º": "°"}
 
 # Units without their spaces, as people write them; pint does not know them or means something else.
-SPELLINGS = {'"': "inch", "kp": "kgf"}
+SPELLINGS = {'"': "inch", "kp": "kgf", "Pas": "Pa s", "mPas": "mPa s"}
+SPELLINGS |= {"Nm": "N m", "Ncm": "N cm", "Nmm": "N mm", "kNm": "kN m", "mNm": "mN m"}
 IN_CONTEXT = {  # names in small letters, for keys of each SI unit. "mN" and "MN" differ by their case alone.
     "K": {"c": "degC", "°c": "degC", "degc": "degC", "f": "degF", "°f": "degF", "degf": "degF", "k": "K"},
     "N": {"n": "N", "kn": "kN"},
@@ -44,11 +46,6 @@ MISTAKEN = {
     "kg": ("kgf", "kg is a mass"),
     "lb": ("lbf", "lb is a mass"),
     "lbs": ("lbf", "lbs is a mass"),
-    "Nm": ("N m", "units stand apart"),
-    "Nmm": ("N mm", "units stand apart"),
-    "kNm": ("kN m", "units stand apart"),
-    "Pas": ("Pa s", "units stand apart"),
-    "mPas": ("mPa s", "units stand apart"),
 }
 
 
@@ -160,7 +157,8 @@ class Dimension:
         if not isfinite(value):
             raise ValueError(f"is not finite; {self.accepted}")
         if not self.low <= value <= self.high:
-            raise ValueError(f"is out of range, {self.span}; {self.accepted}")
+            limit = f"least {self.written(self.low)}" if value < self.low else f"most {self.written(self.high)}"
+            raise ValueError(f"must be at {limit} {self.shown_unit}".rstrip() + f"; {self.accepted}")
         return value
 
     def tidy(self, given: str) -> str:
@@ -205,10 +203,11 @@ class Dimension:
 
     def known_unit(self, written: str) -> Unit:
         """The unit that is written. Raises ValueError for one that is unknown or of another kind."""
-        match = QUANTITY.fullmatch(_plain_powers(self.tidy(f"1 {written}")))  # `unit_of` passes over other signs
+        short = written if len(written) < LONGEST else ""
+        match = QUANTITY.fullmatch(_plain_powers(self.tidy(f"1 {short}")))  # `unit_of` passes over other signs
         unit, remedy = None if match is None else self._unit(match[2]), self._remedy(written)
         if unit is None:
-            raise ValueError(f"has the unknown unit {written!r}{remedy}")
+            raise ValueError(f"has the unknown unit {written[:LONGEST]!r}{remedy}")
         if unit.powers != self._si.powers:
             raise ValueError(f"is not {self._kind}{remedy}")
         return unit
@@ -302,6 +301,12 @@ def _registry() -> Any:
     return pint.UnitRegistry(non_int_type=Decimal)  # pyright: ignore[reportArgumentType]
 
 
+def word_like(given: object, words: Iterable[str]) -> str | None:
+    """The word that is meant, in any case and with blanks or dashes for _; None: none of them."""
+    meant = re.sub(r"[\s_-]+", "_", given.strip()).casefold() if isinstance(given, str) else None
+    return next((word for word in words if word.casefold() == meant), None)
+
+
 @dataclass(frozen=True, kw_only=True)
 class QuantityOrWord(Dimension):
     """A quantity, or one of a few words in its place."""
@@ -315,7 +320,8 @@ class QuantityOrWord(Dimension):
 
     def read(self, given: object) -> Any:
         """The value in SI, or the word. Raises ValueError as `Dimension.read`."""
-        return given if given in self.words else super().read(given)
+        word = word_like(given, self.words)
+        return super().read(given) if word is None else word
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -369,5 +375,5 @@ def range_of(text: str) -> Range | None:
     """The parts of a range; None for another text. Raises ValueError for a range without its number of values."""
     found = RANGE.fullmatch(text)
     if found is None and " to " in text:
-        raise ValueError('is no range; give FIRST to LAST in COUNT, as "0 rpm to 6000 rpm in 15"')
+        raise ValueError(f'is no range; give FIRST to LAST in COUNT, as "{text} in 15"')
     return found and Range(found["first"], found["last"], int(found["count"]), found["log"] is not None)

@@ -468,9 +468,9 @@ class HeightMapFile(Noun):
 
     HINT = 'give { path = "race.npy", spacing = "2 um" }'
     path: Annotated[
-        Text, InFile(hint="give the path of a .npy, .csv (heights in m) or .x3p file, from the scene file's folder")
+        Text, InFile(hint="give the path of a .x3p, .npy or .csv file (heights in m), from the scene file's folder")
     ]
-    spacing: Annotated[Spacing, FILLED, "of neighbouring points in both directions"]
+    spacing: Annotated[Spacing | None, "of neighbouring points in both directions; without it the file's own"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -636,6 +636,7 @@ class MeasuredTorque(Noun):
     radial_load: Array | None = None  # N
     temperature: Array | None = None  # of the oil at the inlets, K
     oils: Mapping[float, Lubricant] = field(default_factory=nothing)  # by temperature, K, as the scene's file has them
+    warnings: tuple[str, ...] = ()  # on how the file was read
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -590,6 +590,8 @@ def _require_loads(scene: Scene, operation: Operation) -> None:
     require_positive(ball_count=bearing.ball_count)
     require_given_angle(bearing, scene.contact_angle)
     if operation.is_thrust:
+        if not np.all(operation.axial_load):
+            raise InputError("a point has no load: give axial_load or radial_load in N, or a moment")
         require_positive(axial_load=operation.axial_load)
     elif bearing.kind == "thrust":
         _require_thrust(operation)

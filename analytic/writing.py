@@ -12,9 +12,9 @@ from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
 from secrets import token_hex
-from tempfile import TemporaryDirectory
 
 from analytic.errors import InputError, StorageError
+from analytic.reading import MILLION, content_of
 
 HIDDEN, LISTING = ".fembearing-", ".fembearing"  # LISTING: in a folder of ours, the names of its files
 REMEDIES = {
@@ -135,12 +135,6 @@ def require_utf8(target: Path) -> None:
         ) from problem
 
 
-def remove_whole(folder: Path) -> None:
-    """Remove a folder so that a killed process leaves all of it, or nothing that has its name."""
-    with TemporaryDirectory(prefix=HIDDEN, dir=folder.parent) as place:
-        shutil.move(folder, place)
-
-
 def _unwritten(path: Path, problem: Exception) -> str:
     """The message: what cannot be written, why, and what to do."""
     reason = getattr(problem, "strerror", None) or " ".join(str(problem).split())
@@ -160,9 +154,9 @@ def _require_free(target: Path, force: bool, why_not: str | None) -> None:
 def _strange_in(target: Path) -> str | None:
     """Why a folder may hold what is not of fembearing."""
     try:
-        listed = (target / LISTING).read_text("utf-8").split("\n")
+        listed = content_of(target / LISTING, most=MILLION, remedy="", linked=False).decode().split("\n")
         strange = sorted({path.name for path in target.iterdir()} - {*listed, LISTING})
-    except OSError:
+    except (OSError, ValueError):
         return "it is no folder that fembearing made"
     return f"{strange[0]!r} in it is not of fembearing" if strange else None
 

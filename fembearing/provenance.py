@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import platform
+import re
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -27,21 +28,8 @@ PACKAGES = (
     "netCDF4",
 )
 
-# Keys whose values may differ between two runs of one scene with the same seeds; the rest of the JSON is the same.
-TIMES = (
-    "seconds",
-    "production_seconds",
-    "evaluation_seconds",
-    "spread",
-    "warm_up",
-    "predicted",
-    "price",
-    "chosen",
-    "choices",
-)  # and choices that depend on them
-MEMORY = ("memory", "peak_memory")
-ORIGIN = ("date", "command", "python", "platform", "processor", "cores", "versions")
-VARYING = frozenset((*TIMES, *MEMORY, *ORIGIN))
+# Folders of an absolute path, alone or in KEY=PATH: a result names no user and no machine.
+FOLDERS = re.compile(r"""(^|[="'])([A-Za-z]:)?[/\\][^"\n]*[/\\]""")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,21 +50,23 @@ class Provenance:
 
 
 def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingProxyType({})) -> Provenance:
-    """The whole scene in SI and its hash; date, command, machine, and the versions of the packages.
+    """The whole scene in SI and its hash; date, command, kind of machine, and the versions of the packages.
 
+    Of absolute paths in scene and command, the names of the files are left.
     What changes no torque is left out, so that it changes no hash: `Scene.report`, who signs and in which units, and
     `Scene.measured`, whose numbers stand beside the computed ones.
     seeds : of each random quantity, by its name; without them nothing is random
     """
     content = plain(scene)
     del content["report"], content["measured"]
+    content = without_folders(content)
     return Provenance(
         scene=scene.name,
         scene_content=content,
         scene_sha256=hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest(),
         seeds={name: list(values) for name, values in seeds.items()},
         date=datetime.now(UTC).isoformat(timespec="seconds"),
-        command=sys.argv,
+        command=without_folders(sys.argv),
         python=platform.python_version(),
         platform=platform.platform(),
         processor=platform.machine(),
@@ -85,11 +75,13 @@ def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingP
     )
 
 
-def repeatable(content: Any) -> Any:
-    """The JSON of a result without the values that may differ in another run."""
+def without_folders(content: Any) -> Any:
+    """Plain types with the names of files in place of absolute paths."""
     if isinstance(content, dict):
-        return {key: repeatable(value) for key, value in content.items() if key not in VARYING}
-    return [repeatable(value) for value in content] if isinstance(content, list) else content
+        return {key: without_folders(value) for key, value in content.items()}
+    if isinstance(content, list):
+        return [without_folders(value) for value in content]
+    return FOLDERS.sub(r"\1", content) if isinstance(content, str) else content
 
 
 def _version(package: str) -> str | None:

@@ -8,12 +8,18 @@ import pytest
 from analytic.errors import InputError
 
 
-def refused(call: Callable[[], Any], *words: str) -> None:
-    """The call is refused with these words."""
+def message_of(call: Callable[[], Any]) -> str:
+    """The one line with which the call is refused."""
     with pytest.raises(InputError) as found:
         call()
     message = str(found.value)
     assert "\n" not in message, message
+    return message
+
+
+def refused(call: Callable[[], Any], *words: str) -> None:
+    """The call is refused with these words."""
+    message = message_of(call)
     assert [word for word in words if word not in message] == [], message
 
 

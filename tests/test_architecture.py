@@ -45,6 +45,7 @@ def lines_of_code(function: ast.FunctionDef | ast.AsyncFunctionDef, lines: list[
 
 
 def code_complaints(root: Path) -> Iterator[str]:
+    longer = set()
     for path in (path for top in OURS for path in sorted((root / top).rglob("*.py"))):
         text, file = path.read_text("utf-8"), path.relative_to(root).as_posix()
         module = path.parent.name if path.name == "__init__.py" else path.stem
@@ -56,8 +57,10 @@ def code_complaints(root: Path) -> Iterator[str]:
         for node in ast.walk(tree):
             if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
                 count, length = parameters_of(node), lines_of_code(node, lines)
-                if count > MOST_PARAMETERS and node.name not in LONGER:
-                    yield f"{file}:{node.lineno}: {node.name} has {count} parameters, more than {MOST_PARAMETERS}"
+                if count > MOST_PARAMETERS:
+                    longer.add(node.name)
+                    if node.name not in LONGER:
+                        yield f"{file}:{node.lineno}: {node.name} has {count} parameters, more than {MOST_PARAMETERS}"
                 if length > MOST_LINES:
                     yield f"{file}:{node.lineno}: {node.name} has {length} lines of code, more than {MOST_LINES}"
             if isinstance(node, ast.ImportFrom):
@@ -67,6 +70,7 @@ def code_complaints(root: Path) -> Iterator[str]:
             name = getattr(called, "attr", getattr(called, "id", ""))
             if isinstance(node, ast.Call) and name in ("import_module", "__import__") and path.name != "__init__.py":
                 yield f"{file}:{node.lineno}: the contracts do not see an import by a computed name"
+    yield from (f"{name} need not be in LONGER" for name in LONGER.keys() - longer)
 
 
 def map_complaints(root: Path) -> Iterator[str]:
@@ -84,12 +88,6 @@ def map_complaints(root: Path) -> Iterator[str]:
 
 def test_the_project_keeps_its_rules() -> None:
     assert [*code_complaints(ROOT), *map_complaints(ROOT)] == []
-
-
-def test_every_function_on_the_list_of_longer_ones_needs_to_be_there() -> None:
-    trees = (ast.parse(path.read_text("utf-8")) for top in OURS for path in (ROOT / top).rglob("*.py"))
-    functions = (node for tree in trees for node in ast.walk(tree) if isinstance(node, ast.FunctionDef))
-    assert {node.name for node in functions if parameters_of(node) > MOST_PARAMETERS} == LONGER.keys()
 
 
 def test_no_compiled_function_imports_a_folder_that_its_digest_leaves_out() -> None:

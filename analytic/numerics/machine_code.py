@@ -34,6 +34,7 @@ import numpy as np
 
 from analytic.errors import FembearingError
 from analytic.numerics.compilation import EXACT, Compiled, Freedoms
+from analytic.processes import MODULE, environment
 
 ENTRIES = (  # of a wheel, the longest one first
     "analytic.solve.kernel.solve",
@@ -146,10 +147,8 @@ def loaded(entry: Entry, family: str | None = None) -> Callable[..., int]:
 
 def build_process(names: Iterable[str], families: Iterable[str], folder: Path) -> "subprocess.Popen[bytes]":
     """`building.build` in a process of its own, which alone loads the compiler."""
-    path = os.pathsep.join(filter(None, (str(PACKAGE.parent), *sys.path)))
-    # Optimised once, as a whole, the code is as fast, and built sooner.
-    around = {**os.environ, "PYTHONPATH": path, "NUMBA_OPT": "0"}
-    return subprocess.Popen([sys.executable, "-m", BUILDER, str(folder), *families, "of", *names], env=around)
+    around = environment() | {"NUMBA_OPT": "0"}  # optimised once, as a whole, the code is as fast, and built sooner
+    return subprocess.Popen([*MODULE, BUILDER, str(folder), *families, "of", *names], env=around)
 
 
 def families() -> tuple[str, ...]:
@@ -205,7 +204,7 @@ def _built(entry: Entry, family: str) -> bytes:
         raise CompilerError(
             f"{entry.name} is not compiled for this machine, and numba is not installed: pip install 'fembearing[jit]'"
         )
-    _say(f"compiling {entry.name}, once on this machine")
+    _announce()
     with tempfile.TemporaryDirectory() as scratch:
         if build_process([entry.name], [family], Path(scratch)).wait():
             raise CompilerError(f"{entry.name} did not compile: see above")
@@ -321,6 +320,11 @@ def _formulas() -> bytes:
 def digest(code: bytes) -> bytes:
     """How a file of code begins."""
     return hashlib.sha256(code).hexdigest().encode()
+
+
+@cache
+def _announce() -> None:
+    _say("compiling formulas, once on this machine")
 
 
 def _say(line: str) -> None:

@@ -11,6 +11,7 @@ import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from pathlib import Path
 from time import perf_counter
 from typing import Annotated, Any, NamedTuple, Unpack
 
@@ -27,6 +28,7 @@ from analytic.result import FrictionTorque
 from analytic.rows import NotNegative, OperatingPoint, Positive
 from analytic.scene import Array, Scene
 from analytic.scenefile.columns import Cycle, operating_points, read_cycle, require_loads
+from analytic.scenefile.find import require_no_data
 from analytic.scenefile.read import SceneByTemperature, load_by_temperature
 from analytic.torque import friction_torque
 from analytic.words import torque_of
@@ -118,8 +120,8 @@ def duty_cycle(
         What `load_scene` reads. What a step does not say is that of the scene; a bearing of the catalog has no usual
         load beside the loads of the steps.
     cycle : str or path
-        CSV file, each column with its unit: duration, and one or more of inner_speed, axial_load, radial_load and
-        temperature (docs/how-to/duty-cycle.md).
+        CSV or .xlsx file, each column with its unit: duration, and one or more of inner_speed, axial_load, radial_load
+        and temperature (docs/how-to/duty-cycle.md).
     **given : float, str, list or mapping
         With a name, the other arguments of `load_scene`, as settings={"lubricant.supply": "grease"}.
 
@@ -143,6 +145,7 @@ def duty_cycle(
     short beside the time that the bearing takes to warm. The interval keeps that temperature, with its usual spread.
     The interval is to first order, with the errors of each input the same in all steps.
     """
+    require_no_data(scene)
     read = read_cycle(cycle)
     return cycle_with_torques(load_by_temperature(scene, columns=vars(read), **given), read)[0]
 
@@ -160,13 +163,13 @@ def cycle_with_torques(found: SceneByTemperature, cycle: Cycle) -> tuple[DutyCyc
     computed = _computed(found, steps, with_interval=True)
     result = DutyCycle(
         scene=found.scene.name,
-        file=cycle.file,
+        file=Path(cycle.file).name,
         steps=tuple(_rows(found.scene, steps, computed)),
         duration=float(steps.duration.sum()),
         **_of_cycle(steps, computed),
         worst_step=int(np.argmax(computed.torque)),
         steady=steady,
-        warnings=computed.warnings,
+        warnings=(*cycle.warnings, *computed.warnings),
         seconds=perf_counter() - begun,
     )
     return result, computed.results

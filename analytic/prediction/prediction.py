@@ -14,7 +14,7 @@ from scipy.special import ndtri
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
 from analytic.columns import COORDINATES
-from analytic.errors import InputError
+from analytic.errors import InputError, require_whole
 from analytic.given import Quantity, SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.prediction.evaluation import Problem, problem_of
@@ -208,10 +208,8 @@ def predict(
     if tolerance is not None:
         scene = with_tolerance(scene, tolerance)
     nominal = friction_torque(scene)
-    if workers is not None and workers < 1:
-        raise InputError(f"workers = {workers}: give a whole number from 1, or leave it out for one a core")
-    if seed < 0:
-        raise InputError(f"seed = {seed}: give a whole number from 0, as {SEED}")
+    require_whole(low=1, workers=workers)
+    require_whole(low=0, seed=seed)
     problem = _problem(scene, nominal, samples)
     scores = normal_points(len(problem.inputs))
     first = SAMPLES if samples is None else samples
@@ -258,6 +256,7 @@ def predicted_interval(scene: Scene, nominal: FrictionTorque, *, samples: int) -
 
 def require_samples(samples: int, inputs: tuple[UncertainInput, ...]) -> None:
     """Raises InputError for fewer samples than an interval and its regression need, or too many."""
+    require_whole(low=1, samples=samples)
     least = least_samples(len(inputs))
     if samples < least:
         raise InputError(

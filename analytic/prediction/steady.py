@@ -42,13 +42,13 @@ class SteadyTemperature:
         )
 
 
-def steady_scene(scene: str | os.PathLike[str] | Scene, **given: Unpack[SceneOptions]) -> Scene:
+def steady_scene(scene: str | os.PathLike[str] | Scene | SceneByTemperature, **given: Unpack[SceneOptions]) -> Scene:
     """The scene of a file, with its oil at the steady temperature where the file has [thermal].
 
     Parameters
     ----------
     scene : str or path
-        What `load_scene` reads: a file, a built-in scene or a designation as "6308".
+        What `load_scene` reads: a file, a built-in scene or a designation as "6308"; or what was read of one.
     **given : float, str, list or mapping
         The other arguments of `load_scene`, as settings={"thermal.resistance": 0.5, "thermal.ambient": 293.15}, K/W, K.
 

@@ -7,6 +7,7 @@ import os
 import re
 import tomllib
 from dataclasses import dataclass
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -17,36 +18,49 @@ from analytic.errors import InputError
 from analytic.reading import content_of
 from analytic.words import plain, shown
 
-# A value without quotes that has a letter or a sign of a unit in it: a quantity or a word.
-BARE_VALUE = re.compile(r"""[=\[,]\s*([^\s"'=,\[\]{}#][^"'=,\[\]{}#]*)""")
-IN_WORDS = re.compile(r"[^\W\d_]|[°%]")
-COMMENT = re.compile(r"""^((?:[^#"']|"[^"]*"|'[^']*')*)#.*""")  # the line before it, and the comment
-NO_KEY = re.compile(r"([A-Za-z_][\w-]*(?:[ \t]+[\w-]+)*)[ \t]*(?:[:=]|$)", re.ASCII)  # words meant as a key
-VALUE = r"""(?:"[^"]*"|'[^']*'|[^\s"'=,\[\]{}#]+)"""
-# What the parser says, what the line has, and what to write, with the groups of the line: the first that fits.
-SLIPS = tuple(
-    (re.compile(reason), re.compile(line), remedy)
-    for reason, line, remedy in (
-        (r"Cannot declare", r"(.*)", r"\1 is given twice: put its keys into one table"),
-        (r"Cannot overwrite", r"\s*([^=]*?)\s*=.*", r"\1 is given twice: leave one of them out"),
-        (r"Illegal character '\\n'|Unterminated|Expected \"['\"]", r".*", r"close the quotes"),
-        (r"", ".*[\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}].*",
-         'write straight quotes, "'),
-        (r"Unescaped|Invalid hex", r""".*"([^"']*\\[^"']*)".*""", r"write text with \\ in single quotes: '\1'"),
-        (r"", r"\s*(?:(?://|;|%|!|--).*|[^\"'#]*?\s(?://|;|--)\s.*)", r"a comment begins with #"),
-        (r"", r".*;\s*", r"leave out the semicolon at the end"),
-        (r"", r".*[^=<>!]==[^=].*", r"write one ="),
-        (r"Invalid initial", r"[^\[{]*\{[^}]*,\s*", r"write a table in { } in one line"),
-        (r"Unclosed inline", rf".*=\s*{VALUE}\s+[\w-]+\s*=.*", r"write a comma between the keys"),
-        (r"Expected newline", rf"[^\[{{]*=\s*{VALUE}\s+[A-Za-z_][\w.-]*\s*=.*", r"write each key in a line of its own"),
-        (r"", r"[^\"'#]*[=\[,]\s*([+-]?\d+),(\d+)\s*", r"write a decimal point: \1.\2"),
-        (r"", r"[^\"'#]*[=\[,]\s*([+-]?)\.(\d+)\b.*", r"write \g<1>0.\2"),
-        (r"", r"[^\"'#]*[=\[,]\s*([+-]?\d+)\.(?!\d)([eE][+-]?\d+)?.*", r"write \1.0\2"),
-        (r"Unclosed array \(at end", r"[^\[]*\[[^\]]*", r"close the list: ]"),
-        (r"Expected '\]'", r"\s*(\[[^\]]*?)\s*", r"close the bracket: \1]"),
+STRING = r"""(?:"[^"]*"|'[^']*')"""
+COMMENT = re.compile(rf"""^((?:[^#"']|{STRING})*)#.*""")  # the line before it, and the comment
+CLOSED = re.compile(rf"""(?:[^"']|{STRING})*""")
+BEGINNING = re.compile(r"""\[|[\w."'-]+\s*=""")  # of a statement
+BEFORE, AFTER = r"(?<=[=\[,(; ])(?<!^\[)", r"(?=\s*(?:[,;\]})]|$))"  # a value
+BARE = r"""[^\s"'=,;\[\]{}][^"'=,;\[\]{}]*?"""
+SCALAR = r"true|false|[+-]?(?:inf|nan|[\d._]+(?:[eE][+-]?\d+)?)"
+# What people write outside of strings, and what it is in TOML, in the order of trial.
+REPAIRS = tuple(
+    (re.compile(rf"(?:{written})|(?P<string>{STRING})"), meant)
+    for written, meant in (
+        (r"^(?://|;|%|!|--|/\*|REM\b)\s*", "# "),
+        (r"\s(?://|--)\s", " # "),
+        ("[\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}]", '"'),
+        ("[\N{LEFT SINGLE QUOTATION MARK}\N{RIGHT SINGLE QUOTATION MARK}\N{SINGLE LOW-9 QUOTATION MARK}]", "'"),
+        (r"""^([^"']*=\s*)(["'])([^"']*)["']?$""", r"\1\2\3\2"),
+        (r""""([^"']*\\[^"']*)\"""", r"'\1'"),
+        (r"^([\w.]+):$", r"[\1]"),
+        (r"(?<=\w)(?<![=:\[{] )[ \t]+(?=\w[\w \t-]*(?:=|:\s))", "_"),
+        (r"\s*(?:==|:=|=>|:(?![\\/]))\s*", " = "),
+        (r"^([\w.-]+)[ \t]+(?=[^=]*$)", r"\1 = "),
+        (rf"{BEFORE}([+-]?(?:0|\d+(?!,\d{{3}}\b))),(\d+)(?![.,]?\d)", r"\1.\2"),
+        (rf"{BEFORE}([+-]?)[.,](?=\d)", r"\g<1>0."),
+        (rf"{BEFORE}([+-]?\d+)\.(?!\d)", r"\1.0"),
+        (rf"{BEFORE}0+(?=\d)", ""),
+        (rf"{BEFORE}(?i:true){AFTER}", "true"),
+        (rf"{BEFORE}(?i:false){AFTER}", "false"),
+        (rf"{BEFORE}(?!(?:{SCALAR}){AFTER})(?=[^,;\]}}]*(?:[^\W\d_]|[°%]))({BARE}){AFTER}", r'"\1"'),
+        (r"[({]([^(){}=]*)[)}]", r"[\1]"),
+        (r"^([\w.-]+\s*=\s*)([^\[{]*,\s[^\[{]*)$", r"\1[\2]"),
+        (r"\s*;\s*$|,\s*(?=\}$)", ""),
+        (r"\s*;", ","),
+        (r"""(?<=[\w"'\]}])\s+(?=[\w"'\[{+-])""", ", "),
+        (r"[\s;,]+(?=[A-Za-z_][\w.-]*\s*=)", "\n"),
+        (r"\s;\s", " # "),
+        (r"^([^{]*\{[^}]*)$", r"\1 }"),
+        (r"^([^\[]*\[[^\]]*)$", r"\1]"),
+        (r"^(\w[\w.]*\])$", r"[\1"),
     )
 )  # fmt: skip
-LONGEST_LINE = 200  # that is searched for a slip
+LONGEST_LINE = 200  # characters of a statement that is repaired
+WHOLE = (inf, 1.0)  # nothing stops the parser
+WRITES = "fembearing init 6206 writes a scene file"
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts. The memory of the TOML parser grows with the square of the number of parts.
 LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){16}""", re.ASCII)
@@ -89,30 +103,53 @@ def parse_text(text: str, *, origin: str) -> dict[str, Any]:
 
 
 def _place(text: str, reason: str) -> str:
-    """The line at which the parser stopped, and what to write instead of a usual slip, where that is sure."""
+    """The line at which the parser stopped, and its statement in TOML, where a usual slip is all that is wrong."""
     place = re.search(r"\(at (?:line (\d+), column \d+|end of document)\)", reason)
     if place is None:
         return ""
-    lines = text.rstrip().split("\n")
-    line = (lines[int(place[1]) - 1] if place[1] else lines[-1]).strip()[:LONGEST_LINE]
-    remedy = _remedy(COMMENT.sub(r"\1", line).rstrip(), reason)
-    return f", in {plain(line)}{remedy and f'; {remedy}'}"
+    lines = [COMMENT.sub(r"\1", line).strip() for line in text.rstrip().split("\n")]
+    is_open = (number for number, line in enumerate(lines) if not CLOSED.fullmatch(line))  # quotes that nothing closes
+    at = int(place[1]) - 1 if place[1] else next(is_open, len(lines) - 1)
+    remedy, repaired = "", _repaired(_statement(lines, at))
+    if reason.startswith("Cannot"):  # overwrite a value, or declare a table twice
+        remedy = "; it is given twice: leave one of them out, or put the keys of both tables into one"
+    elif repaired not in ("", lines[at]):
+        remedy = "; write " + " and, in a line of its own, ".join(map(plain, repaired.split("\n")))
+    return f", in {plain(lines[at][:LONGEST_LINE])}{remedy}"
 
 
-def _remedy(line: str, reason: str) -> str:
-    for said, slip, remedy in SLIPS:
-        if said.match(reason) and (found := slip.fullmatch(line)):
-            return plain(found.expand(remedy))
-    if reason.startswith("Expected '=' after a key") and (key := NO_KEY.match(line)):
-        return f"write {plain('_'.join(key[1].split()))} = and the value: letters, digits and _ make a key, = follows"
-    if line.startswith("["):
-        return ""
-    value = next((found.strip() for found in BARE_VALUE.findall(line) if IN_WORDS.search(found)), None)
-    if value is None:
-        return "write a comma between the values" if reason.startswith("Unclosed array (at line") else ""
-    if value.lower() in ("true", "false"):
-        return f"write {value.lower()} in small letters"
-    return f'write the value in quotes: "{plain(value)}"'
+def _statement(lines: list[str], at: int) -> str:
+    """The line with that number, and those before and after it that belong to the same statement."""
+    first = next((number for number in range(at, -1, -1) if BEGINNING.match(lines[number])), at)
+    if _reach("\n".join(lines[first:at])) == WHOLE:
+        first = at
+    for after in range(at + 1, len(lines) + 1):
+        statement = " ".join(lines[first:after])
+        if len(statement) > LONGEST_LINE or all(statement.count(a) <= statement.count(b) for a, b in ("[]", "{}")):
+            return statement
+    return " ".join(lines[first : at + 1])
+
+
+def _repaired(statement: str) -> str:
+    """The statement in TOML; empty where no repair is known. A repair counts if the parser comes further with it."""
+    reached = _reach(statement)
+    for written, meant in 2 * REPAIRS if len(statement) <= LONGEST_LINE else ():
+        if reached == WHOLE:
+            break
+        tried = written.sub(lambda found: found["string"] or found.expand(meant), statement)  # noqa: B023 - at once
+        if (further := _reach(tried)) > reached:
+            statement, reached = tried, further
+    return statement if reached == WHOLE else ""
+
+
+def _reach(text: str) -> tuple[float, float]:
+    """Line and column at which the parser stops."""
+    try:
+        tomllib.loads(text)
+    except (ValueError, RecursionError) as problem:
+        place = re.search(r"line (\d+), column (\d+)", str(problem))
+        return (float(place[1]), float(place[2])) if place else (inf, 0.0)
+    return WHOLE
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -141,23 +178,30 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> FoundS
         raise InputError(
             f'{shown(name)} is not the name of a bearing or a file, nor a Scene; give one, for example "6206"'
         )
-    given = os.fspath(name)
+    require_no_data(name)
+    given = os.path.expanduser(os.fspath(name))
     path, builtin = folder / given, catalog.names("scenes")
-    known = f"built in: {', '.join(builtin)}"
     if given in builtin and not os.path.isfile(path):
         path = catalog.path("scenes", given)
-    elif not os.path.isfile(path) and _may_be_a_bearing(given):
+    elif not os.path.isfile(path) and may_be_a_bearing(given):
         try:
             return FoundScene(
                 document={}, origin=f"scene of {given}", folder=folder, bearing=find_bearing(given), designation=given
             )
         except InputError as problem:
             if os.path.basename(given) == given or (not path.parent.is_dir() and begins_as_number(given)):
-                raise InputError(f"{problem} (no scene file has this name either, nor a scene {known})") from None
-    text = read_text(path, kind="scene", remedy=f"give the path of a scene file ({known}), or a bearing as 6206")
+                raise InputError(f"{problem}. No scene file has this name either; {WRITES}") from None
+    text = read_text(path, kind="scene", remedy=f"give the path of a scene file, or a bearing as 6206; {WRITES}")
     origin = plain(os.fspath(path))
     return FoundScene(document=parse_text(text, origin=origin), origin=origin, folder=path.parent)
 
 
-def _may_be_a_bearing(name: str) -> bool:
+def require_no_data(name: object) -> None:
+    """Raise InputError for a table in the place of a scene."""
+    if isinstance(name, str | os.PathLike) and os.fspath(name).lower().endswith((".csv", ".xlsx")):
+        raise InputError(f"{plain(os.fspath(name))} is no scene; give the scene first, as 6206, then the table")
+
+
+def may_be_a_bearing(name: str) -> bool:
+    """Whether a name is none of a file."""
     return 0 < len(name) <= LONGEST_NAME and name.isprintable() and not name.lower().endswith(EXTENSIONS)

@@ -258,6 +258,6 @@ def material_entry(given: object, overrides: Mapping[str, Any] = NOTHING) -> dic
         rest = ", ".join(f"{key} = {NEEDED[key]}" for key in missing)
         raise ValueError(
             f"has no sourced {' and no '.join(missing)}; give it with the name, for example "
-            f"{{ name = {name!r}, {rest} }}"
+            f'{{ name = "{name}", {rest} }}'
         )
     return entry

@@ -103,10 +103,23 @@ class SceneByTemperature:
         return self.scene
 
     def at(self, temperature: float) -> Scene:
-        """The scene with its oil at a temperature, K.
+        """The scene with its oil at another temperature.
 
-        Raises InputError for another temperature than the scene's without the table of an oil, with a viscosity that
-        replaces that of a named oil at one temperature, and beyond the oil's data.
+        Parameters
+        ----------
+        temperature : float
+            Of the oil, K.
+
+        Returns
+        -------
+        Scene
+            Otherwise the same.
+
+        Raises
+        ------
+        InputError
+            Another temperature than the scene's without the table of an oil, with a viscosity that replaces that of a
+            named oil at one temperature, or beyond the oil's data.
         """
         if self.scene.lubricant is not None and temperature == self.scene.lubricant.temperature:
             return self.scene
@@ -149,8 +162,8 @@ def load_scene(
     scene : str or path
         A file, a built-in scene as "6205-dry", or a bearing of the catalog as "6206".
     measured : str or path, optional
-        CSV file of measured torques, in place of the scene's [measured]; None: that one, if there is one. A bearing of
-        the catalog has no usual load beside the loads of this file.
+        CSV or .xlsx file of measured torques, in place of the scene's [measured]; None: that one, if there is one. A
+        bearing of the catalog has no usual load beside the loads of this file.
     settings : mapping of str to value, optional
         Values by keys of a scene, as {"lubricant.supply": "grease"}, in place of the scene's own: numbers in SI, texts
         as they are typed ("60C", "2,5 kN"), quantities, or lists.
@@ -173,17 +186,20 @@ def load_scene(
 
 
 def load_by_temperature(
-    scene: str | os.PathLike[str] | Scene, *, columns: Mapping[str, Any] = NOTHING_SET, **given: Unpack[SceneOptions]
+    scene: str | os.PathLike[str] | Scene | SceneByTemperature,
+    *,
+    columns: Mapping[str, Any] = NOTHING_SET,
+    **given: Unpack[SceneOptions],
 ) -> SceneByTemperature:
     """The scene at any temperature of its oil; arguments and errors of `load_scene`, which refuses [thermal].
 
-    scene : also a Scene, whose oil has one temperature, and beside which nothing is given
+    scene : also a Scene, whose oil has one temperature, or what is read already; beside both nothing is given
     columns : of a file of operating points, by name, SI; with `measured` those of that file. A bearing of the catalog
         then has no usual load beside theirs.
     """
-    if isinstance(scene, Scene):
+    if isinstance(scene, Scene | SceneByTemperature):
         require_nothing_beside(given)
-        return SceneByTemperature(scene=scene, origin=scene.name)
+        return SceneByTemperature(scene=scene, origin=scene.name) if isinstance(scene, Scene) else scene
     found, measured = find_scene(scene), given.get("measured")
     points = columns if measured is None or found.bearing is None else vars(read_measured(measured))
     return _read(found, columns=points, **given)

@@ -15,10 +15,12 @@ from analytic.declared import Table
 from analytic.errors import InputError
 from analytic.given import KEYS, SceneOptions, has_unit
 from analytic.quantity import NUMBER, SI, Dimension, range_of
+from analytic.scenefile.find import parse_text
 from analytic.scenefile.keys import scene_key, scene_table
 from analytic.words import plain, shown, speed_of
 
 LIKE_RPM = 100  # rad/s: a whole number from here on is more often one of rpm
+SEVERAL = re.compile(r"(?<=[^\W\d_%])\s*[,;]\s*")  # between quantities of a list
 SETTING = "give KEY=VALUE, for example --set lubricant.supply=grease"
 
 
@@ -27,6 +29,10 @@ def given_values(settings: Mapping[str, Any], options: Mapping[str, Any]) -> tup
 
     Raises InputError for an unknown option, an unknown key, and a key that both give.
     """
+    if not isinstance(settings, Mapping):
+        raise InputError(
+            f'settings = {shown(settings)} is no mapping; give for example {{"lubricant.supply": "grease"}}'
+        )
     asked: dict[str, Any] = {}
     for path, value in settings.items():
         for key, inside in _flat(path, value):
@@ -58,7 +64,7 @@ def _flat(path: object, given: Any) -> Iterator[tuple[str, Any]]:
     if not isinstance(path, str) or not all(path.split(".")):
         raise InputError(f"{shown(path)} is no key of a scene file; give its path, as 'operation.axial_load'")
     is_text = isinstance(given, str) and given.lstrip().startswith("{")
-    table = _toml_value(given) if is_text else as_plain(given)
+    table = _toml_value(path, given) if is_text else as_plain(given)
     if not isinstance(table, Mapping) or not isinstance(scene_table().find(path), Table):
         yield path, given
         return
@@ -98,15 +104,17 @@ def read_setting(path: str, given: Any, *, root: Table | None = None) -> tuple[A
     """
     value = as_plain(given)
     is_typed = isinstance(value, str)
-    table = _toml_value(value) if is_typed and value.lstrip().startswith("{") else value
+    table = _toml_value(path, value) if is_typed and value.lstrip().startswith("{") else value
     if isinstance(table, dict):
         return (table if is_typed else in_si(table, path)), []
     key = scene_key(path, root=root)
     if is_typed and not key.takes_text:
-        value = _toml_value(value)
+        value = _toml_value(path, value)
     if key.dimension is None:
         return value, []
     notes: list[str] = []
+    if is_typed and key.in_series and isinstance(value, str) and len(parts := SEVERAL.split(value)) > 1:
+        value = parts
     if is_typed and key.in_series and isinstance(value, str) and " to " in value:
         return _in_range(path, key.dimension, value, notes), notes
     parts = [*value] if isinstance(value, list | tuple) else [value]
@@ -125,14 +133,18 @@ def _in_range(path: str, dimension: Dimension, text: str, notes: list[str]) -> s
     return f"{first} to {last} in {found.size}{' log' if found.log else ''}"
 
 
-def _toml_value(text: str) -> Any:
-    """The text as a value of TOML: a number, a switch, a text in quotes, a list of them, a table; else the text."""
-    if "\n" in text or ("#" in text and text.lstrip()[:1] not in ("'", '"', "[", "{")):
+def _toml_value(path: str, text: str) -> Any:
+    """The text as a value of TOML: a number, a switch, a text in quotes, a list of them, a table; else the text.
+
+    Raises InputError for a list or a table that is not TOML.
+    """
+    is_inside = text.lstrip()[:1] in ("[", "{")
+    if "\n" in text or ("#" in text and not is_inside and text.lstrip()[:1] not in ("'", '"')):
         return text
     try:
         value = tomllib.loads(f"value = {text}")["value"]
     except (ValueError, RecursionError):
-        return text
+        return parse_text(f"{path} = {text}", origin="--set") if is_inside else text
     parts = value if isinstance(value, list) else [value]
     if isinstance(value, dict):
         return value

@@ -26,9 +26,8 @@ from analytic.scene import (
 )
 from analytic.scenefile.fit import arrangement_misfits, bearing_misfits
 from analytic.scenefile.keys import GIVEN, Values
-from analytic.surface.profilometer import ENDING, x3p_shape_and_spacing
+from analytic.surface.heightmap import HAVE_NO_SPACING, READERS
 
-HEIGHT_MAPS = (".npy", ".csv", ENDING)
 WAYS = ("rms_roughness", "Ra", "finish", "height_map")  # to say how rough a surface is
 ROUGHNESSES = ("rms_roughness", "ball_rms_roughness")
 # Neither Ra nor a finish says how long the waves of a surface are. A judgement, no source seen: 10 to 40 um.
@@ -139,30 +138,21 @@ def surface_conflicts(v: Values) -> Iterator[tuple[str, str]]:
         )
     if has_own_law and v["surface.gap"] != "truncated":
         yield "", 'surface.asperities is the law of summits of gap = "truncated": leave it out, or give that gap'
-    if path is not None and Path(path).suffix.lower() not in HEIGHT_MAPS:
-        yield "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}"
-    elif path is not None:
-        has_own, spacing = Path(path).suffix.lower() == ENDING, v["surface.height_map.spacing"]
-        if has_own and spacing is not None:
-            yield "surface.height_map.spacing", f"goes with .npy and .csv; a {ENDING} file has its own, so leave it out"
-        elif not has_own and spacing is None:
-            yield "surface.height_map.spacing", 'is missing; give that of the points, for example "2 um"'
+    ending = "" if path is None else Path(path).suffix.lower()
+    if path is not None and ending not in READERS:
+        yield "surface.height_map.path", f"is not one of {', '.join(READERS)}"
+    elif ending in HAVE_NO_SPACING and v["surface.height_map.spacing"] is None:
+        yield "surface.height_map.spacing", 'is missing; give that of the points, for example "2 um"'
 
 
 def surface_of(v: Values, folder: Path) -> Surface | None:
     """The surface that the table describes, if there is one; folder : that the path of a height map starts from."""
     if "surface" not in v.said:
         return None
-    height_map = None
-    if v["surface.height_map.path"] is not None:
-        path, spacing = folder / v["surface.height_map.path"], v["surface.height_map.spacing"]
-        try:  # the spacing stands in a .x3p file
-            height_map = HeightMapFile(
-                path=str(path), spacing=x3p_shape_and_spacing(path)[1] if spacing is None else spacing
-            )
-        except InputError as problem:
-            v.misfits.append(("surface.height_map.path", str(problem)))
-            return None
+    height_map: HeightMapFile | None = v.noun(HeightMapFile, "surface.height_map")
+    if height_map is not None:
+        path = folder / height_map.path
+        height_map = replace(height_map, path=str(path))
         if not path.is_file():
             problem = "is not a file; give its path from the scene file's folder"
             v.misfits.append(("surface.height_map.path", problem))

@@ -11,9 +11,11 @@ from analytic.errors import InputError
 from analytic.given import OperatingOptions
 from analytic.quantity import SI
 from analytic.scene import Origin
+from analytic.scenefile.find import may_be_a_bearing
 from analytic.scenefile.setting import given_values
 from analytic.scenefile.tables import SHOULDER
 from analytic.scenefile.usual import cage_sizes, is_light, light_share, usual_values
+from analytic.words import shown
 
 SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
 GROUPS = ("CN", "C3")  # whose spans are told beside the bearing's own group
@@ -79,6 +81,8 @@ def scene_text(designation: str, **options: Unpack[OperatingOptions]) -> str:
     InputError
         A designation that the catalog does not have.
     """
+    if not may_be_a_bearing(designation):
+        raise InputError(f"{shown(designation)} is no designation; give one as 6206")
     bearing = find_bearing(designation)
     given, _ = given_values({}, options)
     usual = usual_values(designation, bearing, given) | {key: _written(value) for key, value in given.items()}

@@ -1,36 +1,47 @@
 """Height maps of rough surfaces: read from a file, levelled, and measured by differences of neighbouring points.
 
 A map is a matrix of heights, m, on a square grid; x is along its rows, y along its columns. Heights are relative to the
-mean plane, which is subtracted before anything is measured.
+mean plane, which is subtracted before anything is measured; those of a file lose their form and their gaps too.
 """
 
 import os
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import partial
-from itertools import chain
 from pathlib import Path
-from typing import BinaryIO
 
 import numpy as np
 
 from analytic.errors import InputError, require_positive
-from analytic.reading import opened, require_regular
+from analytic.reading import content_of, require_regular, text_of
 from analytic.scene import Array
+from analytic.surface.instruments import FORMATS, METROPRO, instrument_map
+from analytic.surface.map_data import FEWEST_POINTS, MOST_POINTS, MapData, require_matrix
 from analytic.surface.moments import SpectralMoments, Summits
-from analytic.surface.profilometer import ENDING, SAME_SPACING, x3p_heights, x3p_shape_and_spacing
-from analytic.words import length_of, plain
+from analytic.surface.x3p import x3p_map
+from analytic.words import length_of, percent_of, plain
 
-FEWEST_POINTS, MOST_POINTS = 32, 4096  # in each direction: fewer are no statistics, more need too much memory
-FEWER = f"give {FEWEST_POINTS} to {MOST_POINTS} in each direction, or cut out a part"
-LARGEST_TEXT, LARGEST_BINARY = 100_000_000, 300_000_000  # bytes of .csv and .npy
-LONGEST_LINE = 100 * MOST_POINTS  # bytes; a number has 25 at most
+LARGEST_TEXT, LARGEST_BINARY = 100_000_000, 300_000_000  # bytes of a text and of .npy
+MOST_LINES, LONGEST_LINE = 10_000, 100 * MOST_POINTS  # of a text, with its head; a number has 25 characters at most
+MATRIX = f"give a matrix of heights in m, a row a line, of {FEWEST_POINTS} to {MOST_POINTS} in each direction"
 BAND = 64  # rows of a map that are measured together
+SPACING_ROUNDING = 1e-6  # relative difference of two equal spacings in a text
+SAME_SPACING = 1e-3  # relative difference of two spacings: moments of slopes change by as much
+# Share of points that were not measured. Filled points are smoother than the surface, so that they lower the mean
+# squares of height, slope and curvature by up to this share: as much as these scatter from place to place.
+MOST_GAPS = 0.05
 HIGHEST = 1e-3  # m, from the lowest to the highest point: larger heights are not in metres, or the part is broken
 SMOOTHEST = 1e-9  # m, Sq: polished silicon has some 0.1 nm, finished races have 10 nm and more
-ROUND_OFF = 64 * np.finfo(np.float64).eps  # of the heights; means of 4096 and a slope over them leave a few eps
+ROUND_OFF = 64 * np.finfo(np.float64).eps  # of the heights; sums over 4096 points and a form leave a few eps
 WIDEST = 0.1  # correlation length over domain, and spacing over correlation length: more spoils statistics or summits
 MOST_UNEQUAL = 1.5  # ratio of the mean squared slopes along x and y: more is a lay, and the summits are no spheres
+PLANE, FORM = 1, 2  # order of a polynomial
+NUMBER = re.compile(r"[-+]?(\d+[.,]?\d*|[.,]\d+)([eE][-+]?\d+)?")
+GAP = re.compile(r"(?i)(?<![^\s;,])(bad|n/?a|nan|\*+|-+)(?![^\s;,])")  # as instruments write what was not measured
+BETWEEN = re.compile(r"[;,\s]+")
+WITH_COMMA = r"[-+]?\d+,\d+([eE][-+]?\d+)?"
+TWO_WAYS = re.compile(rf"{WITH_COMMA}(,{WITH_COMMA})*")  # numbers with decimal commas, or twice as many without
+EVEN = 0.01  # relative difference of steps: positions have equal ones up to rounding, rough heights never
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -39,6 +50,8 @@ class HeightMap:
 
     heights: Array  # (rows, columns), m
     spacing: float  # of neighbouring points, m
+    with_form: float = np.nan  # Sq before the form was removed, without the plane, m; NaN: nobody looked for a form
+    warnings: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -51,65 +64,136 @@ class Measurement:
     warnings: tuple[str, ...]
 
 
-def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMap:
-    """The map in a .npy file, in lines of comma-separated numbers (.csv), m, or in a .x3p file, without its mean plane.
+def read_height_map(path: str | os.PathLike[str], *, spacing: float | None = None) -> HeightMap:
+    """The map in a file, without its form: the polynomial of second order, by least squares [ISO25178-2].
 
-    spacing : of neighbouring points in both directions, m, > 0; of a .x3p file the one that it has
-    A .npy file is never unpickled, and nothing is read that does not fit into memory.
-    Raises InputError for a file that cannot be read, has another format, or holds no matrix of finite real numbers, for
-    fewer than 32 or more than 4096 points in a direction, and for heights that cannot be metres: Sq below 1 nm, or a
-    span above 1 mm.
+    The ending says what the file is (`READERS`). Text and .npy have heights in m.
+    spacing : of neighbouring points in both directions, m, > 0; None: the one that the file has
+    A .npy file is never unpickled, and nothing is read that does not fit into memory. Up to 5 % of points that were not
+    measured are filled along rows and columns, with a warning.
+    Raises InputError for a file that cannot be read, has another format, or holds no matrix of real numbers, for
+    spacings that differ, fewer than 32 or more than 4096 points in a direction, more gaps, and for heights that cannot
+    be metres: Sq below 1 nm, or a span above 1 mm.
     """
-    require_positive(spacing=spacing)
+    if spacing is not None:
+        require_positive(spacing=spacing)
     origin = plain(os.fspath(path))
-    readers = {".npy": _read_binary, ".csv": _read_text, ENDING: partial(_read_x3p, spacing=spacing)}
-    kind = Path(path).suffix.lower()
-    if kind not in readers:
-        raise InputError(f"{origin}: not a height map; give a .npy or .csv file of heights in m, or a .x3p file")
+    read = READERS.get(Path(path).suffix.lower())
+    if read is None:
+        raise InputError(f"{origin}: not a height map; give one of {', '.join(READERS)}")
     try:
-        heights = readers[kind](path)
+        found = read(path)
+        return _checked(found, _one_spacing(found, spacing))
     except InputError as problem:
         raise InputError(f"{origin}: {problem}") from problem
-    except Exception as problem:  # NumPy raises different exceptions for a damaged header, depending on the damage
+    except Exception as problem:  # NumPy and zipfile raise different ones for damaged files, depending on the damage
         reason = plain(" ".join(str(problem).split())[:120])
         raise InputError(f"{origin}: not a matrix of numbers: {reason}; save heights in m as .npy or .csv") from problem
-    if not np.isfinite(heights).all():
-        row, column = (int(i) for i in np.argwhere(~np.isfinite(heights))[0])
-        raise InputError(f"{origin}: the height at row {row}, column {column} is not finite; fill or cut out gaps")
-    half = heights.max() / 2 - heights.min() / 2  # the whole span may overflow
+
+
+def _one_spacing(found: MapData, given: float | None) -> float:
+    if found.spacings is None:
+        if given is None:
+            raise InputError('has no spacing of its own; give that of its points, for example spacing = "2 um"')
+        return given
+    along_x, along_y = found.spacings
+    require_positive(spacing=found.spacings)
+    if not abs(along_x - along_y) <= SAME_SPACING * along_x:
+        raise InputError(
+            f"has points every {length_of(along_x, '.6g')} along x and {length_of(along_y, '.6g')} along y; resample "
+            "it to a square grid"
+        )
+    own = (along_x + along_y) / 2
+    if given is not None and not abs(given - own) <= SAME_SPACING * own:
+        raise InputError(
+            f"has points every {length_of(own, '.6g')}, got spacing {length_of(given, '.6g')}; leave the spacing out"
+        )
+    return own
+
+
+def _checked(found: MapData, spacing: float) -> HeightMap:
+    """The map without form and gaps."""
+    heights, doubts = found.heights, [*found.doubts]
+    if found.spacings is not None and abs(found.spacings[0] - found.spacings[1]) > SPACING_ROUNDING * spacing:
+        along_x, along_y = (length_of(each, ".6g") for each in found.spacings)
+        doubts.append(f"points of the map are {along_x} apart along x and {along_y} along y, and their mean counts")
+    gaps = ~np.isfinite(heights)
+    heights[gaps] = np.nan  # infinite ones too
+    share = float(gaps.mean())
+    if share > MOST_GAPS:
+        raise InputError(
+            f"{percent_of(share)} of the points were not measured, at most {percent_of(MOST_GAPS)} are filled; measure "
+            "again, or cut out a part"
+        )
+    half = np.nanmax(heights) / 2 - np.nanmin(heights) / 2  # the whole span may overflow
     if not half <= HIGHEST / 2:
         raise InputError(
-            f"{origin}: heights span {length_of(2 * float(half))}, more than {length_of(HIGHEST)}; give them in m, "
-            "not in um"
+            f"heights span {length_of(2 * float(half))}, more than {length_of(HIGHEST)}; give them in m, not in um"
         )
-    _level(heights)
+    _remove(heights, PLANE)
+    with_form = float(np.sqrt(np.nanmean(heights**2)))
+    _remove(heights, FORM)
+    if share:
+        doubts.append(
+            f"{percent_of(share)} of the points of the map were not measured and are filled by linear interpolation"
+        )
+        _fill(heights)
+        _remove(heights, FORM)
     roughness = float(np.sqrt(_mean_square(heights, order=0)))
     if roughness < SMOOTHEST:
         raise InputError(
-            f"{origin}: heights have Sq {roughness * 1e9:.3g} nm, less than {SMOOTHEST * 1e9:g} nm, and no race is so "
-            "smooth; give them in m"
+            f"heights have Sq {roughness * 1e9:.3g} nm without plane and form, less than {SMOOTHEST * 1e9:g} nm, and "
+            "no race is so smooth; give them in m"
         )
-    return HeightMap(heights=heights, spacing=spacing)
+    return HeightMap(heights=heights, spacing=spacing, with_form=with_form, warnings=tuple(doubts))
 
 
 def levelled(raw: HeightMap) -> HeightMap:
     """The map without its mean plane (least squares); waves and the curvature of a ball remain."""
     heights = raw.heights.copy()
-    _level(heights)
+    _remove(heights, PLANE)
     return HeightMap(heights=heights, spacing=raw.spacing)
 
 
-def _level(heights: Array) -> None:
-    """Subtract the mean plane in place: a large map is in memory once. What round-off leaves of a plane is flat."""
-    round_off = ROUND_OFF * max(abs(heights.max()), abs(heights.min()))
-    heights -= heights.mean()
-    for axis, size in enumerate(heights.shape):
-        across = np.arange(size) - (size - 1) / 2
-        profile = heights.mean(axis=1 - axis)
-        slope = across @ profile / (across @ across)
-        heights -= slope * (across[:, None] if axis == 0 else across)
-    if max(heights.max(), -heights.min()) <= round_off:
+def _remove(heights: Array, order: int) -> None:
+    """Subtract the polynomial of this order in place, by least squares over the points that were measured.
+
+    What round-off leaves of a polynomial is flat.
+    """
+    round_off = ROUND_OFF * np.nanmax(np.abs(heights))
+    heights -= np.nanmean(heights)
+    down, along = (np.vander(np.linspace(-1, 1, size), 2 * order + 1, increasing=True) for size in heights.shape)
+    few = order + 1
+    terms = [(i, j) for i in range(few) for j in range(few - i)]
+    products, sums = np.zeros((2 * order + 1, 2 * order + 1)), np.zeros((few, few))
+    for rows, band in zip(_bands(down), _bands(heights), strict=True):
+        products += rows.T @ np.isfinite(band) @ along
+        sums += rows[:, :few].T @ np.nan_to_num(band) @ along[:, :few]
+    normal = [[products[i + k, j + m] for k, m in terms] for i, j in terms]
+    form = np.zeros((few, few))
+    form[tuple(zip(*terms, strict=True))] = np.linalg.solve(normal, [sums[term] for term in terms])
+    for rows, band in zip(_bands(down), _bands(heights), strict=True):
+        band -= rows[:, :few] @ form @ along[:, :few].T
+    if np.nanmax(np.abs(heights)) <= round_off:
         heights[:] = 0.0
+
+
+def _fill(heights: Array) -> None:
+    """Put into each gap the mean of linear interpolations along its row and its column, in place.
+
+    Where neither has a point, it takes those that were filled before.
+    """
+    while (gaps := np.isnan(heights)).any():
+        total, count = np.zeros(gaps.sum()), np.zeros(gaps.sum())
+        for lines, missing in ((heights, gaps), (heights.T, gaps.T)):
+            filled = lines.copy()
+            for line, hole in zip(filled, missing, strict=True):
+                if hole.any() and not hole.all():
+                    line[hole] = np.interp(np.flatnonzero(hole), np.flatnonzero(~hole), line[~hole])
+            found = (filled if lines is heights else filled.T)[gaps]
+            total += np.nan_to_num(found)
+            count += np.isfinite(found)
+        heights[gaps] = np.where(count > 0, total / np.maximum(count, 1), np.nan)
 
 
 def measure(height_map: HeightMap) -> Measurement:
@@ -130,7 +214,7 @@ def measure(height_map: HeightMap) -> Measurement:
         moments=moments,
         correlation_length=length,
         summits=_counted_summits(height_map),
-        warnings=tuple(_doubts(height_map, slopes, length)),
+        warnings=(*height_map.warnings, *_doubts(height_map, slopes, length)),
     )
 
 
@@ -146,56 +230,69 @@ def _mean_square(lines: Array, *, order: int) -> float:
     return total / (lines.shape[0] * (lines.shape[1] - order))
 
 
-def _read_binary(path: str | os.PathLike[str]) -> Array:
+def _read_binary(path: str | os.PathLike[str]) -> MapData:
     require_regular(path, most=LARGEST_BINARY, remedy="give the path of a height map")
     mapped = np.lib.format.open_memmap(path, mode="r")  # the header only; refuses pickled objects
     if mapped.dtype.kind not in "fiu":
         raise InputError(f"holds {mapped.dtype}, not real numbers; save heights in m")
-    _require_matrix(mapped.shape)
-    return np.array(mapped, dtype=np.float64)
+    require_matrix(mapped.shape)
+    return MapData(np.array(mapped, dtype=np.float64))
 
 
-def _read_text(path: str | os.PathLike[str]) -> Array:
-    with opened(path, most=LARGEST_TEXT, remedy="give the path of a height map; of a large one, a .npy file") as file:
-        rows = _rows(file)
-        first = next(rows, None)
-        if first is None:
-            raise InputError("holds no numbers; give a line of comma-separated heights in m for each row")
-        heights = np.loadtxt(chain((first,), rows), delimiter=",", ndmin=2, dtype=np.float64)
-    _require_matrix(heights.shape)
-    return heights
+def _read_text(path: str | os.PathLike[str]) -> MapData:
+    """The matrix behind the lines of words, if any, with the separator and the decimal sign of its first row.
+
+    A comma is a decimal sign beside semicolons, tabs or blanks, else it separates numbers.
+    """
+    content = content_of(path, most=LARGEST_TEXT, remedy="give the path of a height map; of a large one, a .npy file")
+    if content.startswith(METROPRO[1]):
+        return instrument_map(path, METROPRO[0])
+    parts = text_of(content).replace("\r\n", "\n").replace("\r", "\n").split("\n", MOST_LINES)
+    if len(parts) > MOST_LINES or max(map(len, parts)) > LONGEST_LINE:
+        raise InputError(f"has more than {MOST_LINES} lines, or longer ones than {LONGEST_LINE} characters; {MATRIX}")
+    lines = [stripped for part in parts if (stripped := part.strip()) and stripped[0] != "#"]
+    start = next((number for number, line in enumerate(lines) if _width(line) >= FEWEST_POINTS), None)
+    if start is None:
+        raise InputError(f"has no row of {FEWEST_POINTS} or more numbers; {MATRIX}")
+    rows, first = lines[start:], lines[start]
+    require_matrix((len(rows), _width(first)))
+    separator = next((sign for sign in "\t;" if sign in first), None)
+    is_decimal = separator is not None or re.search(r"\d\s+[-+.\d]", first) is not None
+    if not is_decimal and "," in first:
+        separator = ","
+        if TWO_WAYS.fullmatch(re.sub(r"\s", "", first)):
+            raise InputError(
+                "has commas as decimal signs or between numbers, both are possible; separate by semicolons"
+            )
+    if is_decimal:
+        rows = (row.replace(",", ".") for row in rows)
+    if separator is not None:
+        empty = re.compile(rf"(?<={separator}) *(?={separator})")
+        rows = (empty.sub("nan", row.rstrip(separator)) for row in rows)
+    heights = np.loadtxt((GAP.sub("nan", row) for row in rows), delimiter=separator, ndmin=2, dtype=np.float64)
+    for line, name in ((heights[0, 1:], "row"), (heights[1:, 0], "column")):
+        with np.errstate(over="ignore", invalid="ignore"):  # of numbers near the largest double
+            steps = np.diff(line)
+            is_even = np.ptp(steps) < EVEN * abs(steps.mean())
+        if is_even:
+            raise InputError(f"has a first {name} of equal steps, which are positions; leave this {name} out")
+    return MapData(heights)
 
 
-def _read_x3p(path: str | os.PathLike[str], *, spacing: float) -> Array:
-    shape, own = x3p_shape_and_spacing(path)
-    _require_matrix(shape)
-    if not abs(spacing - own) <= SAME_SPACING * own:
-        raise InputError(
-            f"has points every {length_of(own, '.6g')}, got spacing {length_of(spacing, '.6g')}; give its own"
-        )
-    return x3p_heights(path)
+def _width(line: str) -> int:
+    """The numbers and gaps of a line; 0: it has words too."""
+    cells = BETWEEN.split(line.strip(";, "))
+    known = len(cells) > MOST_POINTS or all(NUMBER.fullmatch(cell) or GAP.fullmatch(cell) for cell in cells)
+    return len(cells) if known else 0
 
 
-def _rows(file: BinaryIO) -> Iterator[str]:
-    """The lines with numbers, one at a time in memory. Raises InputError for more of them than a map may have."""
-    count = 0
-    while line := file.readline(LONGEST_LINE + 1):
-        if len(line) > LONGEST_LINE:
-            raise InputError(f"has a line of more than {LONGEST_LINE} bytes; {FEWER}")
-        text = line.decode("utf-8-sig" if file.tell() == len(line) else "utf-8")
-        if not text.strip() or text.startswith("#"):
-            continue
-        count += 1
-        if count > MOST_POINTS:
-            raise InputError(f"has more than {MOST_POINTS} rows; {FEWER}")
-        yield text
-
-
-def _require_matrix(shape: tuple[int, ...]) -> None:
-    if len(shape) != 2:
-        raise InputError(f"has the shape {shape}; a height map is a matrix, rows by columns")
-    if not all(FEWEST_POINTS <= size <= MOST_POINTS for size in shape):
-        raise InputError(f"has {shape[0]} by {shape[1]} points; {FEWER}")
+READERS = {
+    ".npy": _read_binary,
+    **dict.fromkeys((".csv", ".txt", ".asc", ".dat"), _read_text),
+    ".x3p": x3p_map,
+    **dict.fromkeys(FORMATS, instrument_map),
+}
+HAVE_NO_SPACING = (".npy", ".csv", ".txt", ".asc")
 
 
 def _correlation_length(height_map: HeightMap) -> float:

@@ -14,7 +14,8 @@ import numpy as np
 
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.scene import Array, Autocorrelation, Surface
-from analytic.surface.heightmap import FEWEST_POINTS, MOST_POINTS, WIDEST, HeightMap, measure, read_height_map
+from analytic.surface.heightmap import WIDEST, HeightMap, measure, read_height_map
+from analytic.surface.map_data import FEWEST_POINTS, MOST_POINTS
 from analytic.surface.moments import SpectralMoments, Summits, mccool_summits
 from analytic.words import length_of
 

@@ -22,7 +22,9 @@ NEUTRAL = "#8a8f98"  # seen on a light and on a dark page
 TEXT = {"textBorderWidth": 0}  # ECharts draws a light border around letters
 OUTLINE = 81  # points of half an ellipse
 BESIDE = 1.15  # of the distance to a shoulder that is shown
-AROUND = 1.4  # of half an ellipse that is shown
+AROUND = 1.1  # of half an ellipse that is shown at least
+ACROSS, ALONG = 250, 84  # pixels of the room around an ellipse, so that the ratio of its scales is known
+STEPS, FINE = (1.0, 2.0, 5.0), 1.5  # of a scale, times powers of ten; least number of steps beside the middle
 LINE = {"type": "line", "symbol": "none"}
 INSIDE = {"top": 12, "left": 12, "right": 20, "bottom": 40, "containLabel": True}
 LEGEND = {"bottom": 0, "left": "center", "itemWidth": 16, "itemHeight": 10, "itemGap": 12}
@@ -84,9 +86,8 @@ def curve_options(results: Sequence[SceneTorque], units: Units, *, marked: float
     total = unit.number(axis.columns["torque_total"]).tolist()
     look = {"lineStyle": {"width": 2.5, "color": BLUE}, "itemStyle": {"color": BLUE}, "symbol": "circle"}
     line = {**LINE, **look, "symbolSize": 5, "name": "torque", "data": _pairs(x, total)}
-    if marked is not None:
-        at = {"xAxis": units.speed.number(abs(marked)), "label": {"show": False}}
-        line["markLine"] = {"symbol": "none", "silent": True, "lineStyle": {"color": NEUTRAL}, "data": [at]}
+    at = [] if marked is None else [{"xAxis": units.speed.number(abs(marked)), "label": {"show": False}}]
+    line["markLine"] = {"symbol": "none", "silent": True, "lineStyle": {"color": NEUTRAL}, "data": at}
     shades = [{"name": each["name"], "icon": "rect"} for each in series if "areaStyle" in each]
     heading = COLUMNS["torque"].heading(units)
     return {
@@ -148,15 +149,21 @@ def ellipse_options(contact: Contact, point: Point, units: Units) -> Options:
     label = {"formatter": "shoulder", "color": NEUTRAL, **TEXT}
     look = {"lineStyle": {"color": NEUTRAL, "type": "solid", "width": 2}, "label": label}
     series[0]["markLine"] = {"symbol": "none", "silent": True, "data": shoulders, **look}
-    ends = {"axisLabel": {"showMinLabel": False, "showMaxLabel": False}}
-    most = AROUND * half
+    low, high = (BESIDE * edge for edge in edges)
+    scale = (high - low) / ACROSS  # of a pixel, across
+    least = AROUND * half
+    power = 10 ** np.floor(np.log10(least / FINE))
+    step = power * max(each for each in STEPS if each * power <= least / FINE)
+    most = step * np.ceil(least / step)
+    ratio = max(1, int(ALONG * scale / (2 * most)))
+    ends = {"axisLabel": {"showMinLabel": False, "showMaxLabel": False, "hideOverlap": True}}
+    across_words = f"across the groove, {unit.name}; rolling {ratio} times larger"
     return {
         "animation": False,
-        "grid": {**INSIDE, "top": 24, "left": 28, "bottom": 30},
-        "xAxis": {**AXIS, **ends, "name": f"across the groove, {unit.name}", "nameGap": 24}
-        | {"min": _short(BESIDE * edges[0]), "max": _short(BESIDE * edges[1])},
-        "yAxis": {**AXIS, **ends, "name": f"rolling, {unit.name}", "nameGap": 38, "splitNumber": 2}
-        | {"min": -_short(most), "max": _short(most)},
+        "grid": {"width": ACROSS, "height": round(2 * most * ratio / scale), "left": "center", "top": 24},
+        "xAxis": {**AXIS, **ends, "name": across_words, "nameGap": 24} | {"min": _short(low), "max": _short(high)},
+        "yAxis": {**AXIS, "axisLabel": {"hideOverlap": True}, "name": f"rolling, {unit.name}", "nameGap": 38}
+        | {"min": -_short(most), "max": _short(most), "interval": _short(step)},
         "series": series,
     }
 

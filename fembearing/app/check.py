@@ -12,6 +12,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 from analytic.errors import FembearingError
+from analytic.processes import ignore_settings
 from analytic.writing import new_folder
 from fembearing.app.scene_edit import ORIGIN
 
@@ -57,6 +58,7 @@ class Check:
         """Start the process."""
         CHECKS[self.token] = self
         self._told, tells = SPAWNED.Pipe(duplex=False)
+        os.environ["PYTHONSAFEPATH"] = "1"  # else the process would import what lies in the working folder
         self._process = SPAWNED.Process(target=run, args=(self.text, str(self.folder), tells), daemon=True)
         self._process.start()
         tells.close()
@@ -90,12 +92,14 @@ def run(text: str, folder: str, tells: Connection) -> None:
     """Check the scene, and tell (share, step, problem, report). The process of a `Check` runs it."""
     if GROUPED:
         os.setpgid(0, 0)  # so that the process that draws the pictures ends with it
+    ignore_settings()
     try:
-        from analytic.scenefile.read import parse_scene
+        from analytic import steady_scene
+        from analytic.scenefile.read import parse_by_temperature
         from fembearing.check.validation import check_scene
         from fembearing.report.folder import CHECKED, write_report
 
-        scene = parse_scene(text, origin=ORIGIN)
+        scene = steady_scene(parse_by_temperature(text, origin=ORIGIN))
         with new_folder(Path(folder), force=False) as made:
             result = check_scene(scene, progress=lambda share, step: tells.send((CHECKED * share, step, "", None)))
             tells.send((CHECKED, "report", "", None))

@@ -48,8 +48,8 @@ class CheckPanel:
         self._show()
 
     def follow(self, text: str) -> None:
-        """Say whether the report is that of this scene, which has a torque."""
-        self.saves.enable()
+        """Say whether the report is that of this scene."""
+        self.saves.set_enabled(self.page.evaluation is not None)
         if self.check is not None and self.check.is_done:
             self.said.text = "checked" if self.check.text == text else "Report of an earlier scene."
 
@@ -98,8 +98,8 @@ class CheckPanel:
         self.starts.set_enabled(not runs)
         self.cancels.set_visibility(runs)
         self.bar.set_visibility(runs)
-        self.saves.set_enabled(self.page.evaluation is not None)
         self.said.text = "" if check is None else check.problem or check.step
+        self.follow(self.page.text)
         self.report.clear()
         if check is not None and check.report is not None:
             with self.report:
@@ -107,13 +107,14 @@ class CheckPanel:
 
 
 def _show_report(report: "Report", address: str) -> None:
-    """Verdict, pictures and tables as the report itself has them, and where it is."""
+    """Headline, pictures and tables as the report itself has them, and where it is."""
     from fembearing.report.page.document import shown
     from fembearing.report.sections.contacts import contacts_section
     from fembearing.report.sections.creep import creep_section
     from fembearing.report.sections.film import film_section
+    from fembearing.report.sections.headline import check_headline
 
-    ui.label(report.verdict.words)
+    ui.html(shown(check_headline(report)), sanitize=False)
     ui.link("The whole report", f"{address}/report.html", new_tab=True)
     with ui.element("div").classes("pictures"):
         for picture in report.pictures:
@@ -126,7 +127,7 @@ def _show_report(report: "Report", address: str) -> None:
 
 def _figure(picture: "PictureFile", address: str) -> str:
     words = escape(f"{picture.kind}, {picture.pair}, {picture.geometry}")
-    shown = f'<img src="{address}" alt="{words}" loading="lazy">'
+    shown = f'<img src="{address}" alt="{words}">'
     if picture.kind == "view":
         shown = f'<iframe src="{address}" title="{words}, to turn" loading="lazy"></iframe>'
     return f"<figure>{shown}<figcaption>{escape(picture.caption)}</figcaption></figure>"

@@ -7,6 +7,7 @@ from nicegui import background_tasks, ui
 from analytic.errors import FembearingError
 from fembearing.app.computing import computed
 from fembearing.app.inputs import Inputs, folded, line
+from fembearing.app.scene_edit import DIMENSIONS
 
 HEAD = "Bearing drawn to scale, dimensions of your own"
 
@@ -27,8 +28,7 @@ class DrawingPanel:
         self.drawn: Any = None  # the evaluation whose bearing the drawing shows
         self.panel = folded(HEAD).on("toggle", self._turn, js_handler="(event) => emit(event.target.open)")
         with self.panel, ui.element("div").classes("beside"):
-            with ui.element("div").classes("stack"):
-                page.inputs.dimensions(self.panel)
+            page.inputs.fill(self.panel, DIMENSIONS)
             region = ui.element("div").classes("wide stack")
             with region.props('role=region tabindex=0 aria-label="Bearing drawn to scale"'):
                 self.picture = ui.html("", sanitize=False).classes("drawing")

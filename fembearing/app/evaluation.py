@@ -3,21 +3,26 @@
 import base64
 import zipfile
 from dataclasses import dataclass, replace
+from functools import reduce
 from html import escape
 from io import BytesIO
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from analytic import parse_scene
+from analytic import steady_scene
 from analytic.columns import Point
+from analytic.declared import Key
 from analytic.errors import FembearingError
-from analytic.scene import Array, Contact, Scene
+from analytic.scene import Array, Contact, Material, Scene
 from analytic.scene_torque import with_interval
+from analytic.scenefile.keys import Values, scene_key
+from analytic.scenefile.read import parse_by_temperature
 from analytic.units import SYSTEMS, Units
 from analytic.words import pressure_of
 from fembearing import SceneTorque, draw_bearing, torque_content, torque_headline, torque_of_scene
-from fembearing.app.scene_edit import ORIGIN
+from fembearing.app.scene_edit import FIELDS, ORIGIN
 from fembearing.check.contact.scene_contact import contact_of
 from fembearing.report.sections.points import point_name
 
@@ -31,6 +36,7 @@ class Evaluation:
     """A scene with its torque. Of a series, parts, balls and contacts are those at its highest torque."""
 
     text: str  # of the scene
+    derived: dict[str, str]  # what the torque was computed with, by the keys of the fields
     result: SceneTorque
     point: int  # with the highest torque, from 0
     contacts: dict[str, Contact]  # of the heaviest ball there, by race; empty where they are not known
@@ -71,7 +77,7 @@ class Evaluation:
             "ring": "Azimuth from the radial load, which points down."
             if self.result.friction.ring
             else "Balls of a pair: `fembearing torque --details`.",
-            "contact": self.no_contact or "Different scales of both axes.",
+            "contact": self.no_contact,
         }
         for race in RACES:
             load = self.units.force.written(row[f"load_{race}"], ".4g")
@@ -79,17 +85,18 @@ class Evaluation:
         return lines
 
     def number(self, key: str) -> float | None:
-        """The value of a key of the operation or the oil at this point, SI; None: there is none."""
+        """The value of a key of the operation or the oil at this point, SI; None: none, or friction settles it."""
         table, _, name = key.partition(".")
         oil = self.result.scene.lubricant
         if table == "operation":
             return self.row[name]
-        return None if oil is None else getattr(oil, name)
+        return None if oil is None or name in oil.origins else getattr(oil, name)
 
 
 def at_once(text: str) -> Evaluation:
     """The torque of the scene that a text describes, without its interval. Raises InputError as the command does."""
-    scene = parse_scene(text, origin=ORIGIN)
+    read = parse_by_temperature(text, origin=ORIGIN)
+    scene = steady_scene(read)
     result = torque_of_scene(scene, estimate=False)
     point, contacts, reason = int(np.argmax(result.friction.torque.total)), {}, ""
     here = scene.operation.as_series().at(np.array([point])).points
@@ -97,7 +104,39 @@ def at_once(text: str) -> Evaluation:
         contacts = {race: contact_of(_at(scene, here), pair=race) for race in RACES}
     except FembearingError as problem:  # the torque is known all the same
         reason = str(problem)
-    return Evaluation(text=text, result=result, point=point, contacts=contacts, no_contact=reason)
+    derived = derived_values(read.values or Values({}), scene)
+    return Evaluation(text=text, derived=derived, result=result, point=point, contacts=contacts, no_contact=reason)
+
+
+def derived_values(values: Values, scene: Scene) -> dict[str, str]:
+    """What a scene has for every field, given or not, by their keys;  values : of the keys in its text, and by rules"""
+    bearing, cage, pair, tilt, found = scene.bearing, scene.cage, scene.arrangement, scene.operation.held_tilt, {}
+    seen = {  # that have no attribute of their name, or none before others say it
+        "arrangement.distance": pair and (pair.distance or bearing.width),
+        "bearing.clearance": None
+        if bearing.kind == "thrust"
+        else scene.clearances.unmounted
+        if scene.clearances
+        else bearing.diametral_clearance,
+        "cage.pocket_clearance": cage and cage.pocket_diameter - values["bearing.ball_diameter"],
+        "operation.tilt": "free" if pair or np.isnan(tilt) else tilt,
+    }
+    for path in FIELDS:
+        value = values[path]
+        if value is None:
+            value = seen.get(path, reduce(lambda it, name: getattr(it, name, None), path.split("."), scene))
+        is_dry = path.startswith("lubricant.") and scene.lubricant is None  # though the keys have defaults
+        found[path] = _written(scene_key(path), None if is_dry else value)
+    return found
+
+
+def _written(key: Key, value: Any) -> str:
+    """A value as a field takes it;  value : SI, None: there is none"""
+    if isinstance(value, list):
+        return ", ".join(_written(key, each) for each in value)
+    if isinstance(value, float) and key.dimension is not None:
+        return f"{key.dimension.written(value)} {key.dimension.shown_unit}".rstrip()
+    return "none" if value is None else value.name if isinstance(value, Material) else str(value)
 
 
 def completed(found: Evaluation) -> Evaluation:

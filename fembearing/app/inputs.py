@@ -1,6 +1,6 @@
 """The inputs of the page: fields and sliders by the keys of the scene, and its text."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from html import escape
 from typing import Any, Protocol
 
@@ -8,30 +8,14 @@ from nicegui import ui
 
 from analytic.catalog.bearing_rows import bearing_names
 from analytic.words import Unit
-from fembearing.app.scene_edit import (
-    CAGE,
-    CATALOG,
-    DIMENSIONS,
-    FIELDS,
-    OPERATION,
-    POCKETS,
-    SEATS,
-    Field,
-    commented_value,
-    has_table,
-    shown_value,
-)
+from fembearing.app.scene_edit import CATALOG, FIELDS, FOLDS, OPERATION, shown_value
 
 SCENE = "scene"  # the box with the text, among the fields
 DEBOUNCE = 200  # ms without a key stroke, after which a field counts
-FEW = 8  # words that are shown as a list to choose from; more are searched
 ENDS = {"operation.inner_speed": (0.0, 10_000.0), "lubricant.temperature": (-20.0, 140.0)}  # of sliders, rpm and degC
 HEAVY, UNRATED = 0.5, 10_000.0  # end of the sliders of loads: share of C0, and N where C0 is not known
 STEPS = 200  # of a slider
-ELSEWHERE = (
-    "Pairs, tilt and moment of the ring, series of points, seals and oil losses have no field: write them into the "
-    "scene."
-)
+ELSEWHERE = "Keys without a field go into this text."
 
 
 class Changed(Protocol):
@@ -48,12 +32,6 @@ class Changed(Protocol):
 
     def paste(self, text: str) -> None:
         """Take a whole scene."""
-
-    def turn_cage(self, has_cage: bool) -> None:
-        """Put a cage into the scene, or take it away."""
-
-    def own_dimensions(self) -> None:
-        """Make the derived dimensions keys of the scene."""
 
 
 def line(tag: str, text: str = "") -> ui.label:
@@ -102,27 +80,22 @@ class Inputs:
         self.folds: dict[str, ui.element] = {}  # panel by the key of a field in it
         with ui.element("div").classes("panel stack"):
             line("h2", "Bearing and operation")
-            self._input(CATALOG, "Bearing", "6206, 7208B, 6305-2RS/C3", words=bearing_names())
-            for key, field in OPERATION.items():
-                self._field(key, field)
-        self._fold("Seats and clearance", SEATS)
-        panel = self._fold("Cage", {})
-        with panel:
-            with_cage = ui.switch("Cage of your own", on_change=lambda event: page.turn_cage(bool(event.value)))
-            self.cage = with_cage.props("dense")
-            self.pockets = ui.element("div").classes("stack")
-        with self.pockets:
-            line("p", "Of the sheet cage of a 6205, scaled to these balls, until you give your own.").classes("soft")
-            for key, field in POCKETS.items():
-                self._field(key, field)
-                self.folds[key] = panel
+            self._input(CATALOG, "Bearing", bearing_names())
+            self.fields[CATALOG].props["placeholder"] = "6206, 7208B, 6305-2RS/C3"
+            for key in OPERATION:
+                self._field(key)
+        for words, keys in FOLDS.items():
+            panel = folded(words)
+            with panel:
+                self.fill(panel, keys)
         self._scene()
 
-    def dimensions(self, panel: ui.element) -> None:
-        """Make the fields of the dimensions, in this panel."""
-        for key, field in DIMENSIONS.items():
-            self._field(key, field)
-            self.folds[key] = panel
+    def fill(self, panel: ui.element, keys: Sequence[str]) -> None:
+        """Make the fields of these keys; panel : that they open when one of them is refused"""
+        with ui.element("div").classes("stack"):
+            for key in keys:
+                self._field(key)
+                self.folds[key] = panel
 
     def show(self) -> None:
         """Put the scene of the page into the fields."""
@@ -132,10 +105,18 @@ class Inputs:
             if isinstance(field, ui.select) and value not in field.options:
                 field.set_options({**dict(field.options), value: value})
             field.value = value
-        for key in DIMENSIONS:
-            self.fields[key].props(f'placeholder="{escape(commented_value(text, key) or FIELDS[key].example)}"')
-        self.cage.value = has_table(text, CAGE)
-        self.pockets.set_visibility(self.cage.value)
+
+    def derive(self, derived: Mapping[str, str]) -> None:
+        """Show in each empty field what the torque that is shown was computed with;  derived : by the keys"""
+        for key, words in derived.items():
+            field = self.fields[key]
+            if not isinstance(field, ui.select):
+                field.props["placeholder"] = words
+                continue
+            words = "derived" if key in self.page.values else words.replace("_", " ")
+            options = dict(field.options)
+            if options[""] != words:
+                field.set_options({**options, "": words})
 
     def complain(self, problem: str, key: str | None) -> None:
         """Show a problem beside its field, or beside the scene; an empty one takes the last away."""
@@ -149,29 +130,25 @@ class Inputs:
         """Put the sliders to the values that are shown, SI; rating : C0, N"""
         for key, slider in self.sliders.items():
             unit, number = FIELDS[key].unit, shown[key]
+            slider.set_visibility(number is not None)
             if unit is None or number is None:
                 continue
             low, high = ENDS.get(key, (0.0, UNRATED if rating is None else float(f"{HEAVY * rating:.1g}")))
             low, high = min(low, unit.number(number)), max(high, unit.number(number))
             slider.put(float(f"{unit.number(number):.5g}"), unit, low=low, high=high)
 
-    def _fold(self, words: str, fields: Mapping[str, Field]) -> ui.element:
-        panel = folded(words)
-        with panel, ui.element("div").classes("stack"):
-            for key, field in fields.items():
-                self._field(key, field)
-                self.folds[key] = panel
-        return panel
-
-    def _field(self, key: str, field: Field) -> None:
+    def _field(self, key: str) -> None:
+        field = FIELDS[key]
         with ui.element("div").classes("field"):
-            self._choice(key, field) if 0 < len(field.words) <= FEW else self._input(
-                key, field.label, field.example, words=field.words
-            )
+            if field.is_choice:
+                self._choice(key)
+            else:
+                self._input(key, field.label, field.words)
+            self.fields[key].props["title"] = field.meaning
             if field.unit is not None:
                 self.sliders[key] = Slider(field.label, lambda number: self.page.slide(key, number))
 
-    def _input(self, key: str, label: str, example: str, *, words: tuple[str, ...]) -> None:
+    def _input(self, key: str, label: str, words: Sequence[str]) -> None:
         """A field of text;  words : that it offers while one types"""
         name = key.replace(".", "-")
         if words:
@@ -180,16 +157,16 @@ class Inputs:
         made = ui.input(
             label,
             value=shown_value(self.page.values.get(key, "")),
-            placeholder=example,
             on_change=lambda event: self.page.type(key, event.value or ""),
         )
         listed = f"list={name}" if words else ""
         made.props(f"dense outlined stack-label debounce={DEBOUNCE} autocomplete=off {listed}")
         self.fields[key] = made.without_auto_validation()
 
-    def _choice(self, key: str, field: Field) -> None:
+    def _choice(self, key: str) -> None:
+        field = FIELDS[key]
         made = ui.select(
-            {"": field.example, **{word: word.replace("_", " ") for word in field.words}},
+            {"": "", **{word: word.replace("_", " ") for word in field.words}},
             label=field.label,
             value=shown_value(self.page.values.get(key, "")),
             on_change=lambda event: self.page.type(key, event.value or ""),
@@ -203,7 +180,4 @@ class Inputs:
             self.fields[SCENE] = box.without_auto_validation().props(
                 f"outlined stack-label rows=22 debounce={DEBOUNCE} spellcheck=false"
             )
-            own = ui.button("Dimensions of my own", on_click=page.own_dimensions, color=None)
-            own.props("outline no-caps")
-            line("p", "Writes the derived dimensions of the bearing into the scene, to edit.").classes("soft")
             line("p", ELSEWHERE).classes("soft")

@@ -1,12 +1,11 @@
 """The page of one browser tab: headline, inputs, charts, check and download."""
 
 import asyncio
-from collections.abc import Iterator
+from collections.abc import Awaitable, Callable, Iterator
 from contextlib import contextmanager
-from importlib.resources import files
 from typing import Any
 
-from nicegui import background_tasks, ui
+from nicegui import Client, background_tasks, ui
 
 from analytic.errors import FembearingError, InputError
 from fembearing.app.check_panel import CheckPanel
@@ -20,15 +19,33 @@ from fembearing.app.scene_edit import (
     of_bearing,
     shown_value,
     values_in,
-    with_cage,
-    with_dimensions,
     with_typed,
 )
 
 FIRST = "6206"  # the bearing of a new page
+MOST_WAITING = 20  # requests whose browser may still connect; it does at once
 PAUSE = 0.3  # s without a change, after which the curve is computed
-NUMBERS = ("torque", "unit", "interval", "power", "split")  # lines that are pale while the scene has no torque
-PRIMARY = "#1f6fb2"  # white letters on it have a contrast of 5.2
+NUMBERS = ("torque", "unit", "interval", "power")  # lines of the headline that are pale while another is computed
+
+
+def after_handshake(build: Callable[[], object]) -> Callable[[], Awaitable[None]]:
+    """What answers a request: it builds the page once the browser has connected, so that a mere request costs little.
+
+    Any site can have an image with this address, and any program can ask again and again.
+    """
+    waiting: dict[str, Client] = {}
+
+    async def root() -> None:
+        client = ui.context.client
+        waiting[client.id] = client
+        if len(waiting) > MOST_WAITING:
+            waiting.pop(next(iter(waiting))).delete()
+        await client.connected()
+        waiting.pop(client.id, None)
+        if not client.is_deleted:
+            build()
+
+    return root
 
 
 class Page:
@@ -37,6 +54,7 @@ class Page:
     def __init__(self) -> None:
         self.text = of_bearing(FIRST, "")
         self.values = values_in(self.text)
+        self.changed = SCENE  # the field that a user has changed last
         self.evaluation: Any = None  # of the last text that had a torque
         self.is_new = False  # whether the text has changed since the computation began
         self.is_evaluating = False
@@ -45,14 +63,13 @@ class Page:
         self.is_open = True
         self.lines: dict[str, ui.label] = {}
         self.charts: dict[str, ui.echart] = {}
-        ui.colors(primary=PRIMARY)
-        ui.add_css(files("fembearing.app").joinpath("style.css").read_text("utf-8"))
         self._headline()
         with ui.element("main").classes("stack"):
             with ui.element("div").classes("two"):
                 with ui.element("section").classes("stack").props('aria-label="Inputs"'):
                     self.inputs = Inputs(self)
-                with ui.element("section").classes("stack").props('aria-label="Results"'):
+                self.results = ui.element("section").classes("stack").props('aria-label="Results"')
+                with self.results:
                     self._charts()
             self.drawing = DrawingPanel(self)
             self.check = CheckPanel(self)
@@ -104,7 +121,7 @@ class Page:
                 line("h2", "Contact of the heaviest ball")
                 for race in ("inner", "outer"):
                     self.lines[race] = line("h3")
-                    self._chart(race, f"Contact ellipse on the {race} race, between the shoulders", 150)
+                    self._chart(race, f"Contact ellipse on the {race} race, between the shoulders", 156)
                 self.lines["contact"] = line("div").classes("soft")
         with ui.element("div").classes("panel") as self.warned:
             line("h2", "Warnings")
@@ -120,7 +137,10 @@ class Page:
     def type(self, key: str, typed: str) -> None:
         """Take what a user types into a field."""
         if typed == shown_value(self.values.get(key, "")):
-            return  # the page itself has put it there
+            if self.inputs.fields[key].error:  # a refused value is taken back; else the page itself has put it there
+                self._take("")
+            return
+        self.changed = key
         try:
             self.text, notes = (
                 (of_bearing(typed, self.text), []) if key == CATALOG else with_typed(self.text, key, typed)
@@ -139,19 +159,8 @@ class Page:
     def paste(self, text: str) -> None:
         """Take a whole scene."""
         if text != self.text:
-            self.text = text
+            self.text, self.changed = text, SCENE
             self._take("")
-
-    def turn_cage(self, has_cage: bool) -> None:
-        """Put a cage into the scene, or take it away."""
-        try:
-            self.paste(with_cage(self.text, has_cage=has_cage))
-        except InputError as problem:
-            self.complain(str(problem), SCENE)
-
-    def own_dimensions(self) -> None:
-        """Make the derived dimensions keys of the scene."""
-        self.paste(with_dimensions(self.text))
 
     def _take(self, note: str) -> None:
         """Show the text in its box and its values in the fields, and compute."""
@@ -166,11 +175,14 @@ class Page:
         background_tasks.create(self.refresh())
 
     def complain(self, problem: str, key: str | None) -> None:
-        """Show a problem above and beside its field, or beside the scene; an empty one takes the last away."""
+        """Show a problem above and beside its field, or beside the scene; an empty one takes the last away.
+
+        What is shown is of an earlier scene then.
+        """
         self.inputs.complain(problem, key)
         self.lines["problem"].text = problem
-        for name in NUMBERS:
-            self.lines[name].classes(add="old" if problem else None, remove=None if problem else "old")
+        for part in (self.results, *(self.lines[name] for name in NUMBERS)):
+            part.classes("old")
 
     # What is computed.
 
@@ -208,7 +220,7 @@ class Page:
         try:
             yield
         except FembearingError as problem:
-            self.complain(str(problem), field_in(str(problem)))
+            self.complain(str(problem), field_in(str(problem)) or self.changed)
         except Exception as problem:
             words = f"{type(problem).__name__}: {problem}"
             self.complain(f"a defect of fembearing, not of your input: {words}; please report it", SCENE)
@@ -267,7 +279,11 @@ class Page:
         for name, text in lines.items():
             if name != "interval":
                 self.lines[name].text = text
-        self.lines["interval"].classes(add="old")  # of the scene before
+        for part in (self.results, *(self.lines[name] for name in NUMBERS)):
+            part.classes(remove="old")
+        for part in (self.lines["interval"], self.charts["curve"]):
+            part.classes("old")  # until they are computed too
+        self.lines["curve"].text = "computing"
         self.lines["verdict"].classes(replace=f"verdict {lines['verdict']}")
         self.warned.set_visibility(bool(lines["warnings"]))
         self._draw("parts", part_options(found.row, found.units))
@@ -277,6 +293,7 @@ class Page:
             contact = found.contacts.get(race)
             self._draw(race, None if contact is None else ellipse_options(contact, found.row, found.units))
         rating = found.result.scene.bearing.static_load_rating
+        self.inputs.derive(found.derived)
         self.inputs.slide_to({key: found.number(key) for key in self.sliders}, rating)
         self.check.follow(self.text)
 
@@ -288,7 +305,7 @@ class Page:
 
     def _draw(self, name: str, options: dict[str, Any] | None) -> None:
         chart = self.charts[name]
-        chart.set_visibility(options is not None)
+        chart.classes(remove="old").set_visibility(options is not None)
         if options is not None:
             chart.options.clear()
             chart.options.update(options)

@@ -143,7 +143,7 @@ class Validation(Brief):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Those of the scene, of all contacts, of the torque and of the report, each once."""
+        """Those of the scene and its measured torques, of all contacts, of the torque and of the report, each once."""
         own = self.scene.warnings
         contacts = (
             f"{contact.numbers.bearing} bearing, {warning}"
@@ -153,11 +153,12 @@ class Validation(Brief):
             for warning in contact.numbers.warnings
         )
         torque = () if self.torque is None else self.torque.friction.warnings
+        table = () if self.scene.measured is None else self.scene.measured.warnings
         fit = None if self.torque_change is None else self.torque_change.fitted
         fitted = () if fit is None else fit.warnings
         films = (warning for film in self.films for warning in film.numbers.warnings)
         creep = (warning for creep in self.creep for warning in creep.numbers.warnings)
-        return tuple(dict.fromkeys([*contacts, *torque, *fitted, *films, *creep, *self.missing, *self.trouble]))
+        return tuple(dict.fromkeys([*table, *contacts, *torque, *fitted, *films, *creep, *self.missing, *self.trouble]))
 
     def to_dataset(self) -> Any:
         """The contacts as an xarray.Dataset over `contact`, SI, with units and meanings; `torque` has its own."""

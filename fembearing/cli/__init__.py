@@ -15,6 +15,7 @@ from typing import Annotated, Any
 
 import typer
 
+from analytic.processes import ignore_settings
 from fembearing.cli import (
     compare,
     contact,
@@ -93,10 +94,10 @@ def main() -> None:
     """Run the command line; `boundary` has what becomes of failures."""
     # Before NumPy is loaded: the threads of its BLAS take 0.3 s of the processor to start, and solvers use one.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    ignore_settings()
     gc.set_threshold(OBJECTS)
     atexit.register(gc.freeze)  # at its end Python would search all objects once more, for up to 0.2 s
-    examples = {name: example for name, (_, example) in COMMANDS.items()}
-    sys.exit(guarded(lambda: app(standalone_mode=False), examples=examples))
+    sys.exit(guarded(lambda: app(standalone_mode=False)))
 
 
 def command_of(name: str) -> Any:

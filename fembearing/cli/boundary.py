@@ -10,7 +10,7 @@ import signal
 import sys
 import traceback
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from io import TextIOWrapper
 from pathlib import Path
 from typing import Any
@@ -33,14 +33,12 @@ TyperException: Any = BadParameter.__mro__[-4]  # base of typer's errors; older 
 ENDED = ("SIGTERM", "SIGHUP")  # signals by which a process is asked to end
 # How libraries say that memory is short: the loader, and Python where a thread has no stack.
 SHORT = ("failed to map segment", "annot allocate memory", "can't start new thread")
+REMEDIES = ("ossible", "id you mean", "hoose from", "is not one of")  # as typer words them
 OURS = tuple(str(Path(__file__).parents[2] / name) + os.sep for name in ("analytic", "fembearing"))
 
 
-def guarded(run: Callable[[], int | None], *, examples: Mapping[str, str]) -> int:
-    """The exit status of a command. Whatever fails in it, standard error gets one line for it.
-
-    examples : what may follow each command
-    """
+def guarded(run: Callable[[], int | None]) -> int:
+    """The exit status of a command. Whatever fails in it, standard error gets one line for it."""
     if not _streams_are_open():
         return complain("standard output is closed; redirect it to a file or a pipe", NO_STORAGE)
     if not sys.warnoptions:
@@ -60,7 +58,7 @@ def guarded(run: Callable[[], int | None], *, examples: Mapping[str, str]) -> in
     except BaseException as problem:  # some libraries have failures that are no Exception
         if "--debug" in sys.argv and not isinstance(problem, BrokenPipeError):
             traceback.print_exception(problem)
-        status = status_of(problem, examples)
+        status = status_of(problem)
     for stream in (sys.stdout, sys.stderr):
         try:
             stream.flush()
@@ -75,11 +73,10 @@ def end(number: int, _frame: object) -> None:
     sys.exit(128 + number)  # what a shell makes of the signal
 
 
-def status_of(problem: BaseException, examples: Mapping[str, str]) -> int:
+def status_of(problem: BaseException) -> int:
     """The exit status of a problem, which is said in one line."""
     from analytic import errors  # with NumPy
 
-    command = next((word for word in sys.argv[1:] if word in examples), "")
     said = f"{type(problem).__name__}: {problem}".removesuffix(": ")
     match problem:
         case BrokenPipeError():
@@ -91,9 +88,10 @@ def status_of(problem: BaseException, examples: Mapping[str, str]) -> int:
             kinds += ((errors.ResourceError, NO_MEMORY), (errors.FembearingError, INPUT_AT_FAULT))
             return complain(problem, next(status for kind, status in kinds if isinstance(problem, kind)))
         case ModuleNotFoundError() if problem.name in errors.BROUGHT_BY:
+            command = next((word for word in sys.argv[1:] if not word.startswith("-")), "fembearing")
             return complain(errors.MissingPackageError(command, problem.name), INPUT_AT_FAULT)
         case TyperException():
-            return complain(_of_typer(problem.format_message(), command, examples), INPUT_AT_FAULT)
+            return complain(_of_typer(problem), INPUT_AT_FAULT)
         case _ if (
             isinstance(problem, MemoryError)
             or getattr(problem, "errno", 0) == errno.ENOMEM
@@ -115,13 +113,22 @@ def status_of(problem: BaseException, examples: Mapping[str, str]) -> int:
     return complain(f"a defect of fembearing, not of your input: {said}{place}; {report}", DEFECT)
 
 
-def _of_typer(words: str, command: str, examples: Mapping[str, str]) -> str:
-    """What typer says of arguments and options, with a remedy where it has none."""
-    words = words.replace("Value error, ", "")  # how typer begins where pydantic reads a word
-    if words.startswith("Missing argument"):
-        return f"{words.rstrip('.')}; for example fembearing {command} {examples[command]}"
-    nothing_near = words.startswith("No such option") and "ossible" not in words and "ean" not in words
-    return f"{words}; the command with -h lists its options" if nothing_near else words
+def _of_typer(problem: Any) -> str:
+    """What typer says of arguments and options, the commands that have an unknown option, and a remedy without one."""
+    words = problem.format_message().replace("Value error, ", "").rstrip(".")  # how pydantic begins
+    if problem.ctx is None:
+        return words
+    every = problem.ctx.find_root().command.commands
+    option = getattr(problem, "option_name", None)
+    having = [name for name, command in every.items() if any(option in each.opts for each in command.params)]
+    if having:
+        return f"{words}; {', '.join(having)} {'has' if len(having) == 1 else 'have'} it"
+    if any(remedy in words for remedy in REMEDIES):
+        return words
+    example = problem.ctx.command.epilog
+    return (
+        f"{words}; {example.replace('Example:', 'for example') if problem.ctx.parent else 'fembearing -h lists them'}"
+    )
 
 
 def _streams_are_open() -> bool:

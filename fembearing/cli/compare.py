@@ -4,14 +4,14 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.options import AsJson, Given, Named, Output, Samples, Talk, require_scene_first
+from fembearing.cli.options import AsJson, Given, Named, Output, Samples, Talk
 from fembearing.cli.status import STATUS
 
 Data = Annotated[
     str | None,
     typer.Argument(
         metavar="DATA",
-        help="CSV file of measured torques, each column with its unit (default: from [measured] of the scene).",
+        help="CSV or .xlsx file of measured torques, columns with units (default: from [measured] of the scene).",
     ),
 ]
 Seed = Annotated[int, typer.Option(help="Seed of the samples of the intervals.")]
@@ -29,10 +29,9 @@ def compare(
 ) -> None:
     """Compare the computed torque with measured torques: error, uncertainty and verdict of each.
 
-    Give the scene and the CSV file, or the scene alone if its table [measured] names the file. Exit status 0: every
+    Give the scene and the file, or the scene alone if its table [measured] names the file. Exit status 0: every
     measured torque lies in its 95 % interval; 1: at least one lies outside; 2: input error.
     """
-    require_scene_first("compare", scene, data)
     from analytic.units import SYSTEMS
     from fembearing.check.measured.comparison import compare_measured
     from fembearing.cli.console import out, print_json, tell_assumed
@@ -51,7 +50,8 @@ def compare(
     else:
         print_sections(out, measured_sections(result, SYSTEMS[read.report.units]))
         tell_assumed(read.usual)
-        talk.warn(result.warnings, read=read.warnings)
+        of_file = () if read.measured is None else read.measured.warnings
+        talk.warn(result.warnings, read=(*read.warnings, *of_file))
         if output.folder is not None:
             out.tell(f"report: {output.folder / 'compare.html'}")
     raise typer.Exit(STATUS[result.verdict])

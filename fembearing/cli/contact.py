@@ -1,7 +1,6 @@
 """`fembearing contact`."""
 
 from dataclasses import asdict
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,9 +10,11 @@ from fembearing.cli.options import (
     AsJson,
     GeometryName,
     Given,
+    Output,
     PairName,
     SceneName,
     Talk,
+    Tolerance,
     read_load,
     read_tolerance,
     require_folder_name,
@@ -21,8 +22,8 @@ from fembearing.cli.options import (
 from fembearing.cli.status import reached
 
 if TYPE_CHECKING:
+    from analytic.progress import Progress
     from analytic.scene import Scene
-    from fembearing.check.contact.load_series import LoadSeries
     from fembearing.check.contact.solution import ContactSolution
     from fembearing.check.contact.subsurface import SubsurfaceComparison
 
@@ -41,14 +42,6 @@ Geometry = Annotated[
         "pocket on its rim; ring: true shapes, and the ring on a rigid seat as a separate part."
     ),
 ]
-Accuracy = Annotated[
-    str | None,
-    typer.Option(
-        "--tolerance",
-        help='Required accuracy of the finite elements, for example "0.1 %" (default: from the scene). The limit for '
-        "Hertz is always the tolerance of the scene.",
-    ),
-]
 Meshes = Annotated[
     Path | None,
     typer.Option("--mesh", help="Folder for the meshes of ball and race (.vtu), which are written, and not solved."),
@@ -57,99 +50,94 @@ Meshes = Annotated[
 
 def contact(
     given: Given,
+    output: Output,
     talk: Talk,
     scene: SceneName = None,
     pair: Annotated[PairName, typer.Option(help="Contact of the ball.")] = "inner",
     load: Loads = None,
     geometry: Geometry = "real",
-    accuracy: Accuracy = None,
+    tolerance: Tolerance = None,
     mesh: Meshes = None,
     level: Annotated[int | None, typer.Option(help="Level of the mesh with --mesh (default: the finest).")] = None,
     as_json: AsJson = False,
 ) -> None:
     """Solve one contact by finite elements and compare Hertz with it. Several --load give the stiffness law.
 
-    Exit status 0: required accuracy reached, for any verdict on Hertz; 2: input error; 3: accuracy not reached.
+    The accuracy is that of the finite elements; the limit for Hertz is always the tolerance of the scene. Exit status
+    0: required accuracy reached, for any verdict on Hertz; 2: input error; 3: accuracy not reached.
     """
     read = given.scene(scene)
-    limit = read_tolerance(accuracy, read)
+    limit = read_tolerance(tolerance, read)
     loads = [force for text in load or () if (force := read_load(text)) is not None]
     from analytic.errors import InputError
 
     if mesh is not None:
-        if accuracy is not None:
-            raise InputError(f"--tolerance {accuracy!r} does not go with --mesh, which solves nothing: leave it out")
-        if len(loads) > 1:
-            raise InputError(f"--mesh takes one --load, and there are {len(loads)}: give one")
+        _require_mesh_only({"--tolerance": tolerance, "--out": output.folder}, loads)
         meshes = _write_meshes(read, mesh, pair=pair, geometry=geometry, load=loads[0] if loads else None, level=level)
         _show_meshes(meshes, read, talk, as_json=as_json)
         return
     if level is not None:
         raise InputError(f"--level {level} goes with --mesh; --tolerance decides on the meshes of a solution")
-    with talk.progress() as progress:
+    from analytic.units import SYSTEMS
+    from fembearing.check.contact.load_series import solve_load_series
+    from fembearing.check.contact.refinement import COMPARED
+    from fembearing.check.contact.solution import SHOWN_OF_A_SHEET, solve_contact
+    from fembearing.cli.console import out, print_json
+    from fembearing.plain_types import document, json_of
+    from fembearing.report.files import solution_files, write_all
+    from fembearing.report.sections.contacts import contact_sections, series_sections
+    from fembearing.report.terminal import print_sections
+
+    units = SYSTEMS[read.report.units]
+    with talk.progress() as progress, output.opened() as place:
         settings: dict[str, Any] = {"pair": pair, "accuracy": limit, "geometry": geometry, "progress": progress}
         if len(loads) > 1:
-            from fembearing.check.contact.load_series import solve_load_series
-
-            show = partial(_show_series, solve_load_series(read, loads=loads, **settings), read, talk)
+            found = solve_load_series(read, loads=loads, **settings)
+            sections, content = series_sections(found, units), document("load series", found)
+            studies = {f"approach at {part.load:g} N": part.approach.study for part in found.points}
+            unsure = {name: study.total for name, study in studies.items() if study}
+            if place is not None:
+                write_all({"contact.json": json_of("load series", found)}, place)
         else:
-            from fembearing.check.contact.solution import solve_contact
-            from fembearing.check.contact.subsurface import compare_subsurface
-
-            result, below = solve_contact(read, load=loads[0] if loads else None, **settings), None
-            progress(0.8, f"{result.contact.pair}: stress under the contact")
-            try:
-                below = compare_subsurface(result)
-            except InputError as problem:  # a contact cut off at a shoulder: everything else is known
-                result = result.with_numbers(warnings=(*result.numbers.warnings, str(problem)))
-            show = partial(_show_contact, result, below, limit, read, talk)
-    uncertainties = show(as_json=as_json)
-    worst = max(uncertainties, key=lambda name: uncertainties[name])
-    raise typer.Exit(reached(limit, worst, uncertainties[worst]))
-
-
-def _show_contact(
-    result: "ContactSolution",
-    below: "SubsurfaceComparison | None",
-    accuracy: float,
-    read: "Scene",
-    talk: Talk,
-    *,
-    as_json: bool,
-) -> dict[str, float]:
-    """The relative uncertainties of the quantities that are to be known to the accuracy, by their names."""
-    from fembearing.check.contact.refinement import COMPARED
-    from fembearing.check.contact.solution import SHOWN_OF_A_SHEET
-    from fembearing.cli.console import out, print_json
-    from fembearing.plain_types import document
-
-    found = result.numbers
+            result, below = _with_stress(solve_contact(read, load=loads[0] if loads else None, **settings), progress)
+            found = result.numbers
+            sections = contact_sections(found, below, units)
+            content = document("contact", found, accuracy=limit, subsurface=below)
+            unsure = {name: found.estimates[name].total for name in (COMPARED if found.judged else SHOWN_OF_A_SHEET)}
+            if place is not None:
+                write_all(solution_files(result, accuracy=limit, subsurface=below), place)
     if as_json:
-        print_json(document("contact", found, accuracy=accuracy, subsurface=below))
+        print_json(content)
     else:
-        from analytic.units import SYSTEMS
-        from fembearing.report.sections.contacts import contact_sections
-        from fembearing.report.terminal import print_sections
-
-        print_sections(out, contact_sections(found, below, SYSTEMS[read.report.units]))
+        print_sections(out, sections)
         talk.warn(found.warnings, read=read.warnings)
-    return {name: found.estimates[name].total for name in (COMPARED if found.judged else SHOWN_OF_A_SHEET)}
+    worst = max(unsure, key=lambda name: unsure[name])
+    raise typer.Exit(reached(limit, worst, unsure[worst]))
 
 
-def _show_series(result: "LoadSeries", read: "Scene", talk: Talk, *, as_json: bool) -> dict[str, float]:
-    from fembearing.cli.console import out, print_json
-    from fembearing.plain_types import document
+def _with_stress(
+    result: "ContactSolution", progress: "Progress"
+) -> "tuple[ContactSolution, SubsurfaceComparison | None]":
+    """The stress under the contact; without it the solution has a warning."""
+    from analytic.errors import InputError
+    from fembearing.check.contact.subsurface import compare_subsurface
 
-    if as_json:
-        print_json(document("load series", result))
-    else:
-        from analytic.units import SYSTEMS
-        from fembearing.report.sections.contacts import series_sections
-        from fembearing.report.terminal import print_sections
+    progress(0.8, f"{result.contact.pair}: stress under the contact")
+    try:
+        return result, compare_subsurface(result)
+    except InputError as problem:  # a contact cut off at a shoulder: everything else is known
+        return result.with_numbers(warnings=(*result.numbers.warnings, str(problem))), None
 
-        print_sections(out, series_sections(result, SYSTEMS[read.report.units]))
-        talk.warn(result.warnings, read=read.warnings)
-    return {f"approach at {part.load:g} N": part.approach.study.total for part in result.points if part.approach.study}
+
+def _require_mesh_only(of_solution: dict[str, Any], loads: list[float]) -> None:
+    """Raise InputError for an option of a solution beside --mesh, and for several loads."""
+    from analytic.errors import InputError
+
+    for option, asked in of_solution.items():
+        if asked is not None:
+            raise InputError(f"{option} {str(asked)!r} does not go with --mesh, which solves nothing: leave it out")
+    if len(loads) > 1:
+        raise InputError(f"--mesh takes one --load, and there are {len(loads)}: give one")
 
 
 def _write_meshes(

@@ -7,20 +7,15 @@ import typer
 from fembearing.cli.options import (
     AsJson,
     Bodies,
-    Given,
+    GivenAccurate,
     Output,
     SceneName,
     Talk,
     read_load,
     read_option,
-    read_tolerance,
 )
 from fembearing.cli.status import reached
 
-Tolerance = Annotated[
-    str | None,
-    typer.Option(help='Required accuracy of the torque by sliding, for example "1 %" (default: from the scene).'),
-]
 Load = Annotated[
     str | None,
     typer.Option(help='Load of the heaviest ball, for example "620 N"; scales all loads (default: from the scene).'),
@@ -31,23 +26,21 @@ Friction = Annotated[
 
 
 def creep(
-    given: Given,
+    given: GivenAccurate,
     output: Output,
     talk: Talk,
     scene: SceneName = None,
     load: Load = None,
     friction: Friction = None,
-    tolerance: Tolerance = None,
     compliance: Bodies = "half-space",
     as_json: AsJson = False,
 ) -> None:
     """Solve stick and slip of a ball on both races and compare the formulas for spin, conformity and creep.
 
-    Exit status 0: required accuracy reached, for any difference of the formulas; 2: input error; 3: accuracy not
-    reached.
+    The accuracy is that of the torque by sliding. Exit status 0: required accuracy reached, for any difference of the
+    formulas; 2: input error; 3: accuracy not reached.
     """
     read = given.scene(scene)
-    limit = read_tolerance(tolerance, read)
     coefficient = None if friction is None else read_option("--friction", friction, "friction.coefficient")
     from analytic.units import SYSTEMS
     from fembearing.check.creep.scene_creep import creep_of
@@ -60,9 +53,7 @@ def creep(
 
     trouble = None
     with talk.progress() as progress, output.opened() as place:
-        result = creep_of(
-            read, load=read_load(load), friction=coefficient, tolerance=limit, compliance=compliance, progress=progress
-        )
+        result = creep_of(read, load=read_load(load), friction=coefficient, compliance=compliance, progress=progress)
         if place is not None:
             trouble = write_creep(result, place)
     numbers = result.numbers
@@ -72,4 +63,4 @@ def creep(
         print_sections(out, [Section("", [creep_table(numbers, SYSTEMS[read.report.units])])])
     pictures = () if trouble is None else (f"no pictures: {trouble}",)
     talk.warn((*(() if as_json else numbers.warnings), *pictures), read=read.warnings)
-    raise typer.Exit(reached(limit, "torque by sliding", numbers.relative_uncertainty))
+    raise typer.Exit(reached(read.tolerance, "torque by sliding", numbers.relative_uncertainty))

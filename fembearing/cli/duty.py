@@ -4,12 +4,14 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.options import AsJson, Given, Named, Output, Talk, require_scene_first
+from fembearing.cli.options import AsJson, Given, Named, Output, Talk
 from fembearing.cli.status import STANDING_STATUS
 
 CycleFile = Annotated[
     str,
-    typer.Argument(metavar="CYCLE", help="CSV file of the steps: duration and operating columns, each with its unit."),
+    typer.Argument(
+        metavar="CYCLE", help="CSV or .xlsx file of the steps: duration and operating columns, each with its unit."
+    ),
 ]
 
 
@@ -20,9 +22,9 @@ def duty(given: Given, output: Output, talk: Talk, scene: Named, cycle: CycleFil
     gives the values without a column; a bearing of the catalog has no usual load beside a column of loads. With
     [thermal] in the scene, the mean power determines the oil temperature.
     """
-    require_scene_first("duty", scene, cycle)
     from analytic.prediction.duty import cycle_with_torques
     from analytic.scenefile.columns import read_cycle
+    from analytic.scenefile.find import require_no_data
     from analytic.standing import worst_standing
     from analytic.units import SYSTEMS
     from fembearing.cli.console import out, print_json, tell_assumed
@@ -31,6 +33,7 @@ def duty(given: Given, output: Output, talk: Talk, scene: Named, cycle: CycleFil
     from fembearing.report.sections.duty import duty_section
     from fembearing.report.terminal import print_sections
 
+    require_no_data(scene)
     steps = read_cycle(cycle)
     found = given.by_temperature(scene, columns=vars(steps))
     with output.opened() as place:
@@ -47,5 +50,5 @@ def duty(given: Given, output: Output, talk: Talk, scene: Named, cycle: CycleFil
         tell_assumed({key: value for key, value in found.scene.usual.items() if key not in settled})
         if output.folder is not None:
             out.tell(f"folder: {output.folder}")
-    talk.warn(result.warnings, read=found.scene.warnings)
+    talk.warn(result.warnings, read=(*found.scene.warnings, *steps.warnings))
     raise typer.Exit(STANDING_STATUS[standing.word])

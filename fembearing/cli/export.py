@@ -1,6 +1,5 @@
 """`fembearing export`."""
 
-import re
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -32,12 +31,13 @@ def export(
 
     csv, netcdf: maps with 95 % interval. modelica, simscape: friction over speed. fmu: a unit of FMI 2.0 (needs a C
     compiler). ross: stiffness over speed. Loads and temperature are one value or a range;
-    without --speed the table goes from 0 to twice the speed of the scene.
+    without --speed the table goes from 0 to the usual limit of n d_m, or to a faster speed of the scene.
     """
     from analytic.scenefile.find import find_scene
     from fembearing.cli.console import out
     from fembearing.formats.axes import end_of
     from fembearing.formats.choice import FORMATS, export_of
+    from fembearing.formats.names import friction_name
 
     over = {name: text for name, text in given.options.items() if name in RANGES}
     name = BUILTIN if scene is None else scene
@@ -46,8 +46,7 @@ def export(
     else:  # a scene that says its own loads: an option is an axis of the table alone
         found = replace(given, **dict.fromkeys(over)).by_temperature(scene)
     if file is None:
-        word = re.sub(r"\W+", "_", found.scene.bearing.name).strip("_")
-        file = Path(f"friction_{word}{FORMATS[to].ending}")
+        file = Path(friction_name(found.scene.bearing.name) + FORMATS[to].ending)
     with talk.progress() as progress:
         done = export_of(found, to=to, out=file, force=force, over=over, progress=progress)
     read = dict.fromkeys((*found.scene.warnings, *_notes(over)))

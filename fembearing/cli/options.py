@@ -193,6 +193,21 @@ class Given(Usual):
         return scene if self.units is None else replace(scene, report=replace(scene.report, units=self.units))
 
 
+Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %" (default: from the scene).')]
+
+
+@dataclass(frozen=True, kw_only=True)
+class GivenAccurate(Given):
+    """The same with the accuracy that is required."""
+
+    tolerance: Tolerance = None
+
+    def scene(self, name: str | None, *, measured: str | None = None) -> "Scene":
+        """As `Given.scene`, with this tolerance in place of its own."""
+        found = super().scene(name, measured=measured)
+        return replace(found, tolerance=read_tolerance(self.tolerance, found))
+
+
 def bearing_names_like(incomplete: str) -> list[str]:
     """Designations of the catalogue that begin so, for the completion of a shell."""
     from analytic.catalog.bearing_rows import bearing_names
@@ -222,11 +237,11 @@ SceneNames = Annotated[
     list[str] | None,
     typer.Argument(
         metavar="SCENE",
-        help=f"{OF_SCENE} (default: the built-in paper_6205). Several are compared.",
+        help=f"{OF_SCENE}, or a list of bearings, .csv or .xlsx (default: the built-in paper_6205). Several are "
+        "compared.",
         autocompletion=scene_names_like,
     ),
 ]
-Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %" (default: from the scene).')]
 WithInterval = Annotated[
     bool,
     typer.Option("--interval", help="Compute the 95 % interval of the torque from 512 or more samples, on all cores."),
@@ -269,15 +284,6 @@ def require_folder_name(folder: Path | None, *, option: str) -> None:
             f"{option} {str(folder)!r} ends with {folder.suffix!r}, and this command writes a folder; give a name "
             "without it"
         )
-
-
-def require_scene_first(command: str, scene: str, data: str | None) -> None:
-    """Raises InputError for a CSV file in the place of the scene."""
-    if scene.casefold().endswith(".csv"):
-        from analytic.errors import InputError
-
-        order = f"fembearing {command} {data or 'SCENE'} {scene}"
-        raise InputError(f"{scene!r} is no scene; give the scene first: {order}")
 
 
 def read_tolerance(given: str | None, scene: "Scene") -> float:

@@ -35,11 +35,11 @@ def sweep(
     from fembearing.plain_types import plain
     from fembearing.sweep.run import run_sweep
 
+    if scheduler is not None and not scheduler.startswith("tls://"):
+        say(f"warning: --scheduler {scheduler!r}: whoever reaches it can run code as you; tls:// takes certificates")
     try:
         with talk.progress() as progress:
-            result = run_sweep(
-                grid, out=folder, workers=workers, scheduler=scheduler, progress=progress, announce=_announce
-            )
+            result = run_sweep(grid, out=folder, workers=workers, scheduler=scheduler, progress=progress)
             progress(1.0, "maps")
             maps = _maps(result)
     except KeyboardInterrupt:
@@ -71,22 +71,14 @@ def _tell_assumed(path: Path) -> None:
         tell_assumed(told, change=f"in a scene file: fembearing init {shlex.quote(grid.designation)}")
 
 
-def _announce(dashboard: str) -> None:
-    say(f"dashboard: {dashboard}")
-
-
 def _maps(result: "Sweep") -> list[Path]:
-    """The maps of the dataset. They are drawn again where they are older than it."""
-    from analytic.writing import new_folder, remove_whole
+    """The maps of the dataset, in place of those of an earlier run."""
+    from analytic.writing import new_folder
+    from fembearing.report.figures.sweep_maps import PLOTTED, write_maps  # takes matplotlib
 
-    folder, dataset = Path(result.folder) / MAPS, Path(result.file)
-    if folder.exists() and folder.stat().st_mtime_ns < dataset.stat().st_mtime_ns:
-        remove_whole(folder)
-    if not folder.exists():
-        from fembearing.report.figures.sweep_maps import PLOTTED, write_maps  # takes matplotlib
-
-        with new_folder(folder) as apart:
-            write_maps(result.to_dataset(*PLOTTED), apart)
+    folder = Path(result.folder) / MAPS
+    with new_folder(folder, force=True) as apart:
+        write_maps(result.to_dataset(*PLOTTED), apart)
     return sorted(folder.glob("[!.]*"))
 
 

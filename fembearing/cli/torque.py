@@ -1,10 +1,11 @@
 """`fembearing torque`."""
 
+from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
@@ -12,19 +13,20 @@ from fembearing.cli.options import (
     BUILTIN,
     AsJson,
     Force,
-    Given,
+    GivenAccurate,
     Samples,
     SceneNames,
     Talk,
-    Tolerance,
     WithInterval,
     read_samples,
-    read_tolerance,
 )
-from fembearing.cli.status import CHECK_FAILED, DONE, NOT_SOLVED, STANDING_STATUS, say
+from fembearing.cli.status import CHECK_FAILED, DONE, NOT_SOLVED, STANDING_STATUS, print_warnings, say
 
 if TYPE_CHECKING:
+    from analytic.errors import InputError
+    from analytic.scene import Scene
     from analytic.scene_torque import SceneTorque
+    from fembearing.report.torque_file import ComparedContent
 
 
 Target = Annotated[
@@ -39,16 +41,15 @@ Target = Annotated[
 
 
 def torque(
-    given: Given,
+    given: GivenAccurate,
     talk: Talk,
     scenes: SceneNames = None,
-    tolerance: Tolerance = None,
     target: Target = None,
     force: Force = False,
     with_interval: WithInterval = False,
     samples: Samples = None,
     keep_going: Annotated[
-        bool, typer.Option("--keep-going", help="Skip operating points without a torque, with the reason.")
+        bool, typer.Option("--keep-going", help="Skip operating points and scenes without a torque, with the reason.")
     ] = False,
     details: Annotated[
         bool, typer.Option("--details", help="Print contacts, cage, effects, inputs, methods and limits.")
@@ -58,18 +59,18 @@ def torque(
     """Friction torque of a scene with its 95 % interval and a verdict. Several scenes are compared.
 
     A bearing of the catalog needs no file: loads, speed, oil, temperature and supply are options. Missing options are
-    assumed and printed. --speed 0rpm gives the starting torque.
+    assumed and printed. --speed 0rpm gives the starting torque. A list of bearings (.csv, .xlsx) has a column
+    designation, and columns as these options, which take their place.
     """
-    names = scenes or [BUILTIN]
-    _require_different(names)
-    content = None
-    if target is not None and len(names) > 1:
-        from fembearing.report.torque_file import compared_content
-
-        content = compared_content(target)
-    read = {name: given.scene(name) for name in names}
-    read = {name: replace(scene, tolerance=read_tolerance(tolerance, scene)) for name, scene in read.items()}
+    asked = _asked(scenes or [BUILTIN], given)
+    content = _content_of_all(target, len(asked))
+    lost: list[InputError] = []
+    read: dict[str, Scene] = {}
+    for name, one in asked.items():
+        with _named(one.place, lost, keep_going=keep_going):
+            read[name] = one.scene()
     count = read_samples(samples, with_interval=with_interval)
+    from analytic.progress import part_of
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
     from fembearing.report.torque import content_of
@@ -78,28 +79,95 @@ def torque(
     results: dict[str, SceneTorque] = {}
     lacking = None
     with talk.progress() as progress, _file_of_all(target if content else None, force=force) as file:
-        for name, scene in read.items():
-            with _named(name if len(read) > 1 else None):
+        for number, (name, scene) in enumerate(read.items()):
+            with _named(asked[name].place, lost, keep_going=keep_going):
                 results[name], lacking = torque_with_files(
                     scene,
                     out=None if content else target,
                     force=force,
                     samples=count,
                     keep_going=keep_going,
-                    progress=progress,
+                    progress=part_of(progress, number / len(read), (number + 1) / len(read)),
                 )
+        if not results:
+            raise lost[0]
         if content is not None and file is not None:
             file.write_bytes(content(results))
     if as_json:
         files = {name: document("torque", content_of(result)) for name, result in results.items()}
-        print_json(files if len(files) > 1 else files[names[0]])
+        print_json(files if len(asked) > 1 else next(iter(files.values())))
     else:
         _print(results, talk, details=details)
         if target is not None:
             out.tell(f"{'file' if target.suffix else 'folder'}: {target}")
+    for problem in lost:
+        say(f"skipped: {problem}")
     if lacking is not None:
         say(lacking)
-    raise typer.Exit(_status(results.values()))
+    raise typer.Exit(_status(results.values(), lost))
+
+
+class Asked(NamedTuple):
+    """A scene that is asked for."""
+
+    place: str  # as messages begin; "": they need not say it
+    name: str
+    given: GivenAccurate
+    is_listed: bool = False  # in a list, which has bearings of the catalog alone
+
+    def scene(self) -> "Scene":
+        """Raises InputError as `Given.scene`."""
+        if self.is_listed:
+            from analytic.catalog.bearing_rows import find_bearing
+
+            find_bearing(self.name)
+        return self.given.scene(self.name)
+
+
+def _asked(names: list[str], given: GivenAccurate) -> dict[str, Asked]:
+    """What is asked for, by the names in the tables. Raises InputError for a scene that stands twice."""
+    from analytic.errors import InputError
+    from analytic.scenefile.bearing_list import ENDINGS, read_list
+
+    asked: dict[str, Asked] = {}
+    times = Counter[str]()
+    for name in names:
+        if not name.casefold().endswith(ENDINGS):
+            if name in asked:
+                raise InputError(f"the scene {name!r} is given twice: leave one of them out")
+            asked[name] = Asked(name if len(names) > 1 else "", name, given)
+            continue
+        rows, warnings = read_list(name)
+        print_warnings(warnings)
+        for designation, place, options in rows:
+            times[designation] += 1
+            again = f" ({times[designation]})" if times[designation] > 1 or designation in names else ""
+            own = replace(given, **(options | given.options))
+            asked[designation + again] = Asked(place, designation, own, is_listed=True)
+    return asked
+
+
+@contextmanager
+def _named(place: str, lost: "list[InputError]", *, keep_going: bool) -> Iterator[None]:
+    """An InputError that arises begins with the place of its scene; where the others go on, it is among the lost."""
+    from analytic.errors import InputError
+
+    try:
+        yield
+    except InputError as problem:
+        named = InputError(f"{place}: {problem}") if place else problem
+        if not keep_going:
+            raise named from problem
+        lost.append(named)
+
+
+def _content_of_all(target: Path | None, count: int) -> "ComparedContent | None":
+    """What a file for several scenes holds; None for one scene, or without a file. Raises InputError as that."""
+    if target is None or count == 1:
+        return None
+    from fembearing.report.torque_file import compared_content
+
+    return compared_content(target, count)
 
 
 def _file_of_all(target: Path | None, *, force: bool) -> AbstractContextManager[Path | None]:
@@ -109,51 +177,38 @@ def _file_of_all(target: Path | None, *, force: bool) -> AbstractContextManager[
     return nullcontext() if target is None else new_file(target, force=force)
 
 
-def _require_different(names: list[str]) -> None:
-    """Raises InputError for a scene that stands twice."""
-    from analytic.errors import InputError
-
-    twice = next((name for name in names if names.count(name) > 1), None)
-    if twice is not None:
-        raise InputError(f"the scene {twice!r} is given twice: leave one of them out")
-
-
-@contextmanager
-def _named(name: str | None) -> Iterator[None]:
-    """An InputError that arises begins with the name of its scene; None: there is one scene alone."""
-    from analytic.errors import InputError
-
-    try:
-        yield
-    except InputError as problem:
-        raise problem if name is None else InputError(f"{name}: {problem}") from problem
-
-
 def _print(results: "Mapping[str, SceneTorque]", talk: Talk, *, details: bool) -> None:
+    from rich.markup import escape
+
     from analytic.units import SYSTEMS
     from fembearing.cli.console import out, tell_assumed
     from fembearing.report.document import Section
-    from fembearing.report.sections.headline import headline_section, side_by_side
+    from fembearing.report.sections.headline import headline_section, names_by, side_by_side
     from fembearing.report.sections.torque import torque_sections
     from fembearing.report.terminal import print_sections
 
     if len(results) > 1:
         units = SYSTEMS[next(iter(results.values())).scene.report.units]
         print_sections(out, [Section("", [side_by_side(results, units)])])
+    usual = {name: tuple(result.scene.usual.items()) for name, result in results.items()}
+    for assumed, names in names_by(usual.items()).items():
+        tell_assumed(dict(assumed), before=names if len(results) > 1 else "")
     for name, result in results.items():
-        before = f"{name}: " if len(results) > 1 else ""
-        if not before:
+        if details and len(results) > 1:
+            out.rule(escape(name))
+        if details or len(results) == 1:
             print_sections(out, [headline_section(result)])
-        tell_assumed(result.scene.usual, before=before)
         if details:
             out.print()
             print_sections(out, torque_sections(result))
-        said = {warning: f"{before}{warning}" for warning in result.friction.warnings}
-        talk.warn(said.values(), read=[said[each] for each in result.scene.warnings if each in said])
+    said = names_by((name, each) for name, result in results.items() for each in result.friction.warnings)
+    lines = {each: f"{names if len(results) > 1 else ''}{each}" for each, names in said.items()}
+    of_input = {each for result in results.values() for each in result.scene.warnings}
+    talk.warn(lines.values(), read=[line for each, line in lines.items() if each in of_input])
 
 
-def _status(results: "Collection[SceneTorque]") -> int:
-    """That of the worst scene; a failed check before what is not solved."""
+def _status(results: "Collection[SceneTorque]", lost: "Collection[InputError]") -> int:
+    """That of the worst scene; a failed check before what is not solved, as scenes that are lost."""
     statuses = {STANDING_STATUS[result.standing.word] for result in results}
-    statuses |= {NOT_SOLVED for result in results if result.places.failures}
+    statuses |= {NOT_SOLVED for result in results if result.places.failures} | {NOT_SOLVED for _ in lost}
     return next((status for status in (CHECK_FAILED, NOT_SOLVED) if status in statuses), DONE)

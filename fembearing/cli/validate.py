@@ -7,13 +7,11 @@ import typer
 
 from fembearing.cli.options import (
     AsJson,
-    Given,
+    GivenAccurate,
     Output,
     SceneName,
     Talk,
-    Tolerance,
     WithInterval,
-    read_tolerance,
     text_options,
 )
 from fembearing.cli.status import STATUS
@@ -49,12 +47,11 @@ class Signed(text_options(SIGNED)):
 
 
 def validate(
-    given: Given,
+    given: GivenAccurate,
     output: Output,
     signed: Signed,
     talk: Talk,
     scene: SceneName = None,
-    tolerance: Tolerance = None,
     with_cost: Annotated[
         bool, typer.Option("--cost", help="Measure error and time of all methods, as `fembearing cost`.")
     ] = False,
@@ -72,7 +69,6 @@ def validate(
     the contacts stands beside the progress as soon as they are solved.
     """
     read = signed.of(given.scene(scene))
-    limit = read_tolerance(tolerance, read)
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
     from fembearing.report.findings import contact_finding
@@ -87,7 +83,6 @@ def validate(
             read,
             out=output.folder,
             force=output.force,
-            tolerance=limit,
             cost=with_cost,
             samples="enough" if with_interval else None,
             film=not no_film,

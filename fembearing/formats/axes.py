@@ -8,6 +8,7 @@ import numpy as np
 from analytic.columns import COORDINATES
 from analytic.errors import InputError, real_numbers
 from analytic.given import KEYS
+from analytic.limits import usual_speed
 from analytic.quantity import MOST, Range, range_of
 from analytic.scene import Array, Scene
 from analytic.scenefile.keys import scene_key
@@ -118,10 +119,8 @@ def _usual(name: str, scene: Scene, *, whole: bool) -> Array:
     """What an axis has where nothing is given."""
     operation = scene.operation.as_series()
     if name == "speed":
-        fastest = float(np.abs(operation.inner_speed).max())
-        if not fastest:
-            raise InputError(f"the scene stands still, and a table needs speeds; give speed, as {EXAMPLES['speed']!r}")
-        return np.concatenate([[0.0], fastest * AROUND * np.geomspace(SLOWEST, 1.0, SPEEDS - 1)])
+        fastest = max(float(np.abs(operation.inner_speed).max()), usual_speed(scene))
+        return np.concatenate([[0.0], fastest * np.geomspace(SLOWEST, 1.0, SPEEDS - 1)])
     if name == "temperature":
         assert scene.lubricant is not None
         own = scene.lubricant.temperature

@@ -21,6 +21,7 @@ from fembearing.formats.axes import Axes, axes_in_words, axes_of
 from fembearing.formats.csv_table import write_csv
 from fembearing.formats.fmu import write_fmu
 from fembearing.formats.modelica import write_modelica
+from fembearing.formats.names import require_name
 from fembearing.formats.netcdf import write_netcdf
 from fembearing.formats.ross import write_ross
 from fembearing.formats.simscape import write_simscape
@@ -127,6 +128,7 @@ def export_of(
     form, file = FORMATS[to], Path(out)
     if file.suffix.casefold() != form.ending:
         raise InputError(f"--out {str(file)!r}: a file of {to} ends with {form.ending!r}; rename it")
+    require_name(to, file)
     require_utf8(file)
     found = replace(found, scene=at_steady_temperature(found), thermal=None)
     axes = axes_of(found, over or {}, whole=form.is_map)

@@ -1,8 +1,8 @@
 /* Co-simulation unit, FMI 2.0, of a table of friction torques; it needs no other file but table.h.
 
    table.h has GUID, AXES, COUNTS, NODES, OUTSIDE, SIZE and TABLE. An input is an axis of more than one node; the others
-   are constants. Torques lie on straight lines between the nodes of each axis. The declarations below have the names
-   and the memory layout of the standard, as far as this unit takes part in it. */
+   are constants. Torques lie on straight lines between the nodes of each axis, and beyond the last node they stay. The
+   declarations below have the names and the memory layout of the standard, as far as this unit takes part in it. */
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -16,7 +16,7 @@
 #else
 #define EXPORT __attribute__((visibility("default")))
 #endif
-#define OUTPUTS 4 /* low end of the torque, torque, high end, power: numbered after the axes */
+#define OUTPUTS 4 /* low end of the torque, torque, high end, power: numbered after the axes; then `outside`, an integer */
 
 typedef double fmi2Real;
 typedef int fmi2Integer, fmi2Boolean;
@@ -43,14 +43,33 @@ typedef struct {
     char name[128];
 } Unit;
 
-static fmi2Status refuse(Unit *unit, const char *words, double value)
+static fmi2Status tell(Unit *unit, fmi2Status status, const char *words, double value)
 {
     char line[256];
+    const char *category = status == fmi2Warning ? "logStatusWarning" : "logStatusError";
     snprintf(line, sizeof line, "%s (got %g)", words, value);
-    if (unit->callbacks.logger)
-        unit->callbacks.logger(unit->callbacks.environment, unit->name, fmi2Error, "logStatusError", line); /* it has no %: no arguments follow */
-    return fmi2Error;
+    if (unit->callbacks.logger) /* the line has no %: no arguments follow */
+        unit->callbacks.logger(unit->callbacks.environment, unit->name, status, category, line);
+    return status;
 }
+
+static fmi2Status refuse(Unit *unit, const char *words, double value) { return tell(unit, fmi2Error, words, value); }
+
+/* What the table is read at: an input, or the end of its axis that is nearer. The other direction of rotation mirrors
+   the table. */
+static double held(int axis, double x)
+{
+    const double *nodes = NODES;
+    double last;
+    int i;
+    for (i = 0; i < axis; i++)
+        nodes += COUNTS[i];
+    last = nodes[COUNTS[axis] - 1];
+    x = axis == 0 ? fabs(x) : x;
+    return x < nodes[0] ? nodes[0] : x > last ? last : x;
+}
+
+static int is_outside(int axis, double x) { return held(axis, x) != (axis == 0 ? fabs(x) : x); }
 
 /* The node below x and the share of the one above. */
 static int locate(const double *nodes, int count, double x, double *above)
@@ -65,19 +84,15 @@ static int locate(const double *nodes, int count, double x, double *above)
     return below;
 }
 
-/* Low end, torque and high end, N m, at inputs within the table; returns the number of an axis that is left, or -1. */
-static int interpolate(const double *input, double *torque)
+/* Low end, torque and high end, N m. */
+static void interpolate(const double *input, double *torque)
 {
     double above[AXES];
     int below[AXES], axis, part, corner, first = 0;
     for (axis = 0; axis < AXES; axis++) {
         const double *nodes = NODES + first;
-        double x = axis == 0 ? fabs(input[axis]) : input[axis]; /* the other direction of rotation mirrors it */
-        int count = COUNTS[axis];
-        if (!(nodes[0] <= x && x <= nodes[count - 1]))
-            return axis;
-        below[axis] = locate(nodes, count, x, &above[axis]);
-        first += count;
+        below[axis] = locate(nodes, COUNTS[axis], held(axis, input[axis]), &above[axis]);
+        first += COUNTS[axis];
     }
     for (part = 0; part < 3; part++)
         torque[part] = 0.0;
@@ -93,7 +108,6 @@ static int interpolate(const double *input, double *torque)
             for (part = 0; part < 3; part++)
                 torque[part] += weight * TABLE[part][place];
     }
-    return -1;
 }
 
 static void begin(State *state)
@@ -152,17 +166,31 @@ EXPORT fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference 
 {
     Unit *unit = component;
     double torque[OUTPUTS];
-    int left = interpolate(unit->state.input, torque), needed = 0;
     size_t i;
+    interpolate(unit->state.input, torque);
     torque[3] = torque[1] * fabs(unit->state.input[0]);
     for (i = 0; i < count; i++) {
         if (which[i] >= AXES + OUTPUTS)
             return refuse(unit, "no variable has this reference", which[i]);
-        needed |= which[i] >= AXES;
-        value[i] = which[i] < AXES ? unit->state.input[which[i]] : left < 0 ? torque[which[i] - AXES] : 0.0;
+        value[i] = which[i] < AXES ? unit->state.input[which[i]] : torque[which[i] - AXES];
     }
-    if (needed && left >= 0)
-        return refuse(unit, OUTSIDE[left], unit->state.input[left]);
+    return fmi2OK;
+}
+
+EXPORT fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference *which, size_t count,
+                                 fmi2Integer *value)
+{
+    Unit *unit = component;
+    int axis, outside = 0; /* number of the first axis that an input has left, from 1 */
+    size_t i;
+    for (axis = AXES - 1; axis >= 0; axis--)
+        if (is_outside(axis, unit->state.input[axis]))
+            outside = axis + 1;
+    for (i = 0; i < count; i++) {
+        if (which[i] != AXES + OUTPUTS)
+            return refuse(unit, "no integer has this reference", which[i]);
+        value[i] = outside;
+    }
     return fmi2OK;
 }
 
@@ -170,30 +198,32 @@ EXPORT fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference 
                               const fmi2Real *value)
 {
     Unit *unit = component;
+    fmi2Status status = fmi2OK;
     size_t i;
     for (i = 0; i < count; i++) {
-        if (which[i] >= AXES || COUNTS[which[i]] == 1)
-            return refuse(unit, "only inputs can be set; this reference is of none", which[i]);
-        unit->state.input[which[i]] = value[i];
+        fmi2ValueReference axis = which[i];
+        if (axis >= AXES || COUNTS[axis] == 1)
+            return refuse(unit, "only inputs can be set; this reference is of none", axis);
+        if (isnan(value[i]))
+            return refuse(unit, "an input is no number", value[i]);
+        if (is_outside(axis, value[i]) && !is_outside(axis, unit->state.input[axis])) /* once, when it leaves */
+            status = tell(unit, fmi2Warning, OUTSIDE[axis], value[i]);
+        unit->state.input[axis] = value[i];
     }
-    return fmi2OK;
+    return status;
 }
 
-#define NONE(kind, type) /* there are real variables alone */                                                        \
-    EXPORT fmi2Status fmi2Get##kind(fmi2Component unit, const fmi2ValueReference *which, size_t count, type *value)  \
+#define NONE(does, kind, type) /* inputs are real, outputs real or an integer */                                     \
+    EXPORT fmi2Status fmi2##does##kind(fmi2Component unit, const fmi2ValueReference *which, size_t count, type *value) \
     {                                                                                                                \
         (void)which, (void)value;                                                                                    \
-        return count ? refuse(unit, "this unit has no variables of type " #kind, (double)count) : fmi2OK;            \
-    }                                                                                                                \
-    EXPORT fmi2Status fmi2Set##kind(fmi2Component unit, const fmi2ValueReference *which, size_t count,               \
-                                    const type *value)                                                               \
-    {                                                                                                                \
-        (void)which, (void)value;                                                                                    \
-        return count ? refuse(unit, "this unit has no variables of type " #kind, (double)count) : fmi2OK;            \
+        return count ? refuse(unit, #does " does not fit: this unit has no such " #kind, (double)count) : fmi2OK;     \
     }
-NONE(Integer, fmi2Integer)
-NONE(Boolean, fmi2Boolean)
-NONE(String, fmi2String)
+NONE(Set, Integer, const fmi2Integer)
+NONE(Get, Boolean, fmi2Boolean)
+NONE(Set, Boolean, const fmi2Boolean)
+NONE(Get, String, fmi2String)
+NONE(Set, String, const fmi2String)
 
 EXPORT fmi2Status fmi2GetFMUstate(fmi2Component unit, fmi2FMUstate *state)
 {

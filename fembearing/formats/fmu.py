@@ -1,8 +1,8 @@
 """The torque map as a functional mock-up unit, FMI 2.0 for co-simulation [FMI2022], which needs no Python.
 
 The table is a part of the compiled library; `fmu.c` draws straight lines in it along each axis. Inputs are the axes
-with more than one value, outputs the torque, both ends of its 95 % interval, and the power lost. An input beyond the
-table is an error of the unit: nothing is known there.
+with more than one value, outputs the torque, both ends of its 95 % interval, the power lost, and which input is beyond
+the table. There the last torques of the table hold, and the unit logs a warning whenever an input leaves it.
 """
 
 import hashlib
@@ -12,18 +12,19 @@ import subprocess
 import sys
 import zipfile
 from importlib.resources import files
+from math import prod
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from analytic.errors import InputError
-from analytic.progress import Progress, part_of
+from analytic.progress import Progress
 from analytic.scene import Array
 from analytic.scenefile.read import SceneByTemperature
 from fembearing.formats.axes import SHOWN, Axes, axes_in_words
-from fembearing.formats.interpolation import table_error
-from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
+from fembearing.formats.interpolation import table_of_motion
+from fembearing.formats.torque_map import TorqueMap, from_standstill
 
 COMPILERS = ("cc", "gcc", "clang")
 OPTIONS = ("-std=c99", "-O2", "-shared", "-fPIC", "-fvisibility=hidden")
@@ -57,16 +58,11 @@ def write_fmu(given: SceneByTemperature, axes: Axes, file: Path, progress: Progr
     compiler = next(filter(None, map(shutil.which, COMPILERS)), None)
     if compiler is None:
         raise InputError(f"an FMU needs a C compiler, {', '.join(COMPILERS)}, and none is there; install one")
-    axes = from_standstill(axes)
-    nodes = 1
-    for values in axes.values():
-        nodes *= values.size
-    if nodes > MOST:
-        counts = " x ".join(str(values.size) for values in axes.values())
+    sizes = [values.size for values in from_standstill(axes).values()]
+    if (nodes := prod(sizes)) > MOST:
+        counts = " x ".join(map(str, sizes))
         raise InputError(f"{counts} = {nodes} nodes are more than the {MOST} that an FMU below 1 MB takes; give fewer")
-    found = mapped_torque(given, axes, progress=part_of(progress, 0.0, 0.8))
-    progress(0.8, "error of the table")
-    error = table_error(found)
+    found, error = table_of_motion(given, axes, progress)
     source = files("fembearing.formats").joinpath("fmu.c").read_text("utf-8")
     table = _table(found)
     guid = hashlib.sha256((source + table).encode()).hexdigest()[:32]
@@ -84,7 +80,7 @@ def write_fmu(given: SceneByTemperature, axes: Axes, file: Path, progress: Progr
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as unit:
         for path, content in contents.items():
             unit.writestr(zipfile.ZipInfo(path), content, zipfile.ZIP_DEFLATED)  # the same bits at every date
-    return (f"the table differs from the torque by up to {100 * error:.2g} % between its nodes",)
+    return (error,)
 
 
 def _table(found: TorqueMap) -> str:
@@ -93,16 +89,19 @@ def _table(found: TorqueMap) -> str:
     counts = ", ".join(str(values.size) for values in axes.values())
     nodes = ", ".join(_numbers(values) for values in axes.values())
     parts = ",\n".join(f"{{{_numbers(torque.ravel())}}}" for torque in found.torque)
-    outside = []
-    for name, values in axes.items():
-        low, high = (SHOWN[name].written(float(end), ".6g") for end in values[[0, -1]])
-        outside.append(f'"{name} is outside its table, {low} to {high}; SI units are expected"')
+    outside = [f'"{words}: the torque at its end holds, SI units are expected"' for words in _beyond(axes).values()]
     return (
         f"#define AXES {len(axes)}\n#define SIZE {found.nominal.size}\n"
         f"static const int COUNTS[AXES] = {{{counts}}};\nstatic const double NODES[] = {{{nodes}}};\n"
         f"static const char *const OUTSIDE[AXES] = {{{', '.join(outside)}}};\n"
         f"static const double TABLE[3][SIZE] = {{\n{parts}}};\n"
     )
+
+
+def _beyond(axes: Axes) -> dict[str, str]:
+    """That an axis is left, with its ends."""
+    ends = {name: " to ".join(SHOWN[name].written(float(end), ".6g") for end in axes[name][[0, -1]]) for name in axes}
+    return {name: f"{name} is outside its table, {words}" for name, words in ends.items()}
 
 
 def _numbers(values: Array) -> str:
@@ -122,12 +121,11 @@ def _compiled(compiler: str, sources: dict[str, str], folder: Path) -> bytes:
     return library.read_bytes()
 
 
-def _description(found: TorqueMap, guid: str, error: float) -> bytes:
+def _description(found: TorqueMap, guid: str, error: str) -> bytes:
     """modelDescription.xml."""
     words = (
-        f"Friction torque of {found.scene.bearing.name} by fembearing: {axes_in_words(found.axes)}. Between its nodes "
-        f"the table differs from the computed torque by up to {100 * error:.2g} %. At speed 0 the torque is that at "
-        "which the bearing begins to turn. An input outside the table is an error."
+        f"Friction torque of {found.scene.bearing.name} by fembearing: {axes_in_words(found.axes)}; {error}. At speed "
+        "0 the torque is that at which the bearing begins to turn. Beyond the table the torque at its end holds."
     )
     root = Element(
         "fmiModelDescription",
@@ -159,18 +157,24 @@ def _description(found: TorqueMap, guid: str, error: float) -> bytes:
         _add_variable(variables, name, kind, {"unit": UNITS[name]} | start, MEANINGS[name])
     for name, (unit_name, meaning) in OUTPUTS.items():
         _add_variable(variables, name, ("continuous", "output"), {"unit": unit_name}, meaning)
+    left = [f"{number}: {words}" for number, words in enumerate(_beyond(found.axes).values(), start=1)]
+    inputs = [place for place, values in enumerate(found.axes.values()) if values.size > 1]
+    meaning = "; ".join(["0: every input lies in the table", *(left[place] for place in inputs)])
+    _add_variable(variables, "outside", ("discrete", "output"), None, meaning)
     structure, count = SubElement(root, "ModelStructure"), len(found.axes)
-    inputs = " ".join(str(1 + place) for place, values in enumerate(found.axes.values()) if values.size > 1)
+    known = " ".join(str(1 + place) for place in inputs)
     for part in ("Outputs", "InitialUnknowns"):
         unknowns = SubElement(structure, part)
-        for place in range(len(OUTPUTS)):
-            SubElement(unknowns, "Unknown", index=str(1 + count + place), dependencies=inputs)
+        for place in range(len(OUTPUTS) + 1):
+            SubElement(unknowns, "Unknown", index=str(1 + count + place), dependencies=known)
     ElementTree.indent(root)
     return ElementTree.tostring(root, "utf-8", xml_declaration=True)
 
 
-def _add_variable(variables: Element, name: str, kind: tuple[str, str], real: dict[str, str], meaning: str) -> None:
-    """kind : variability and causality;  real : attributes of its type"""
+def _add_variable(
+    variables: Element, name: str, kind: tuple[str, str], real: dict[str, str] | None, meaning: str
+) -> None:
+    """kind : variability and causality;  real : attributes of its type; None: an integer"""
     variability, causality = kind
     attributes = {
         "name": name,
@@ -179,4 +183,5 @@ def _add_variable(variables: Element, name: str, kind: tuple[str, str], real: di
         "causality": causality,
         "variability": variability,
     }
-    SubElement(SubElement(variables, "ScalarVariable", attributes), "Real", real)
+    variable = SubElement(variables, "ScalarVariable", attributes)
+    SubElement(variable, "Integer" if real is None else "Real", real or {})

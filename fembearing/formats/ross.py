@@ -26,28 +26,28 @@ COEFFICIENTS = {  # sign and place in the stiffness of the ring: z, x, y and til
     "kyy": (1, 1, 1),
     "kzz": (1, 0, 0),
 }
-TEXT = '''\
-"""Stiffness of {bearing} for ROSS, computed by fembearing.
-
-{axes}
-
-    from {module} import bearing
-    rotor = ross.Rotor(shaft_elements, disk_elements, [bearing(n=0), bearing(n=6)])
-
-The radial load acts along y, as the weight in ROSS. The model has no damping: give cxx from a test of your machine.
-"""
+TEXT = """\
+# Stiffness of {bearing} for ROSS, computed by fembearing: {axes}
+#
+#     from {module} import bearing
+#     rotor = ross.Rotor(shaft_elements, disk_elements, [bearing(n=0), bearing(n=6)])
+#
+# The radial load acts along y, as the weight in ROSS. The model has no damping: give cxx from a test of your machine.
+from inspect import signature
 
 import ross
 
 SPEED = {speed}  # rad/s, of the shaft
 STIFFNESS = {{  # N/m
 {stiffness}}}
+# Of the arguments of the element, the one that is the shaft's speed: from ROSS 3 on `frequency` is that of the whirl
+AXIS = "speed" if "speed" in signature(ross.BearingElement).parameters else "frequency"
 
 
 def bearing(n, cxx=0.0, **others):
-    """The bearing at a node of the shaft; cxx : damping in x and y, N s/m;  others : of ross.BearingElement."""
-    return ross.BearingElement(n=n, cxx=cxx, frequency=SPEED, **STIFFNESS, **others)
-'''
+    '''The bearing at a node of the shaft; cxx : damping in x and y, N s/m;  others : of ross.BearingElement.'''
+    return ross.BearingElement(n=n, cxx=cxx, **{{AXIS: SPEED}}, **STIFFNESS, **others)
+"""
 
 
 def write_ross(given: SceneByTemperature, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
@@ -59,11 +59,9 @@ def write_ross(given: SceneByTemperature, axes: Axes, file: Path, progress: Prog
     speeds = axes["speed"]
     if speeds.size < 2:
         raise InputError("an element of ROSS needs speeds to interpolate between; give speed as a range")
-    if not file.stem.isidentifier():
-        raise InputError(f"--out {file.name!r} is no name of a Python module; give for example bearing.py")
     stiffness = stiffness_at(given, axes)
     rows = "".join(
-        f'    "{name}": {(sign * stiffness[:, i, j]).tolist()},\n' for name, (sign, i, j) in COEFFICIENTS.items()
+        f'    "{name}": {(sign * stiffness[:, i, j] + 0.0).tolist()},\n' for name, (sign, i, j) in COEFFICIENTS.items()
     )
     text = TEXT.format(
         bearing=given.scene.bearing.name,

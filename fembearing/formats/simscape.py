@@ -13,15 +13,15 @@ from analytic.progress import Progress
 from analytic.scene import Array
 from analytic.scenefile.read import SceneByTemperature
 from fembearing.formats.axes import Axes, axes_in_words
-from fembearing.formats.interpolation import table_error
-from fembearing.formats.torque_map import HIGH, LOW, NOMINAL, from_standstill, mapped_torque
+from fembearing.formats.interpolation import table_of_motion
+from fembearing.formats.torque_map import HIGH, LOW, NOMINAL
 
 STICKING = 1e-3
 WIDTH = 6  # numbers in a line
 TEXT = """\
 %% Friction torque of {bearing}, computed by fembearing
 % {axes}
-% Straight lines between the speeds differ from the computed torque by up to {error:.2g} %.
+% {error}.
 %
 % Ideal Rotational Motion Sensor -> PS Lookup Table (1D) -> Ideal Torque Source that brakes the shaft
 %   Table grid vector:    friction.speed
@@ -41,15 +41,14 @@ friction.high = {high}; % N*m
 
 def write_simscape(given: SceneByTemperature, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
     """Write the script, for both directions of rotation."""
-    found = mapped_torque(given, from_standstill(axes), progress=progress)
-    error = table_error(found)
+    found, error = table_of_motion(given, axes, progress)
     speeds, torques = found.curve
     slow = STICKING * float(speeds[1])
     positive = np.concatenate([[slow], speeds[1:]])
     text = TEXT.format(
         bearing=found.scene.bearing.name,
         axes=axes_in_words(axes),
-        error=100 * error,
+        error=error,
         slow=slow,
         breakaway=float(torques[NOMINAL, 0]),
         speed=_vector(_odd(positive)),
@@ -58,7 +57,7 @@ def write_simscape(given: SceneByTemperature, axes: Axes, file: Path, progress: 
         high=_vector(_odd(torques[HIGH])),
     )
     file.write_text(text, "utf-8")
-    return (f"straight lines between the speeds differ from the torque by up to {100 * error:.2g} %",)
+    return (error,)
 
 
 def _odd(positive: Array) -> Array:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from analytic.scene import Scene
 from analytic.standing import WorstStanding
 from analytic.units import SYSTEMS
 from analytic.writing import write
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.cost.scene_cost import Cost
 from fembearing.check.creep.scene_creep import SceneCreep
 from fembearing.check.film.scene_film import RaceFilm
@@ -22,13 +24,16 @@ from fembearing.provenance import provenance_of
 OF_STEP = ("duration", *COORDINATES, "temperature", "torque", "torque_low", "torque_high", "power", "energy")
 
 
-def film_files(film: RaceFilm) -> dict[str, str | bytes]:
-    """film.json with the caption of the picture, and film.png."""
-    from fembearing.check.film.figure import CAPTION
-    from fembearing.report.figures.style import png  # with matplotlib: only a figure pays for it
+def solution_files(solution: ContactSolution | RaceFilm, **others: Any) -> dict[str, str | bytes]:
+    """contact.png or film.png, and contact.json or film.json with its caption; others : beside the numbers there"""
+    from fembearing.check.contact import figure as contact  # with matplotlib: only a figure pays for it
+    from fembearing.check.film import figure as film
+    from fembearing.report.figures.style import png
 
-    picture = {"file": "film.png", "caption": CAPTION}
-    return {"film.png": png(film.plot()), "film.json": json_of("film", film.numbers, picture=picture)}
+    kind, drawn = ("contact", contact) if isinstance(solution, ContactSolution) else ("film", film)
+    picture = {"file": f"{kind}.png", "caption": drawn.CAPTION}
+    numbers = json_of(kind, solution.numbers, picture=picture, **others)
+    return {f"{kind}.png": png(solution.plot()), f"{kind}.json": numbers}
 
 
 def write_creep(creep: SceneCreep, folder: Path) -> str | None:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 CAPTION = "Friction torque by effect, with the 95 % interval of the total and the formulas of makers, as far as known."
 Content = Callable[[SceneTorque], bytes]
 IMAGES = (".png", ".svg", ".pdf")
+MOST_DRAWN = 100  # scenes in a figure, which grows with them
 ComparedContent = Callable[[Mapping[str, SceneTorque]], bytes]  # by the name of the scene
 
 
@@ -89,8 +90,11 @@ def page_file(result: SceneTorque) -> bytes:
     return page_of(title, [*sections, *warnings], provenance_of(result.scene)).encode()
 
 
-def compared_content(target: Path) -> ComparedContent:
-    """What a file of this name holds of several scenes. Raises InputError for any other than table and figure."""
+def compared_content(target: Path, count: int) -> ComparedContent:
+    """What a file of this name holds of several scenes; count : of them.
+
+    Raises InputError for any other than table and figure, and for more scenes than a figure has room for.
+    """
     ending = target.suffix.casefold()
     if ending == ".csv":
         return lambda results: csv_of(results).encode()
@@ -99,6 +103,8 @@ def compared_content(target: Path) -> ComparedContent:
             f"--out {str(target)!r} takes one scene: give one, or for several a file that ends with .csv, .png, .svg "
             "or .pdf"
         )
+    if count > MOST_DRAWN:
+        raise InputError(f"--out {str(target)!r} is a figure of at most {MOST_DRAWN} scenes, not {count}; give a .csv")
     require_packages(f"--out {str(target)!r}", "matplotlib")
 
     def content(results: Mapping[str, SceneTorque]) -> bytes:

@@ -13,7 +13,7 @@ import numpy as np
 
 from analytic.errors import MissingPackageError, require_packages
 from analytic.progress import Progress, part_of, silent
-from analytic.scene import Scene
+from analytic.scene import HeightMapFile, Scene
 from analytic.scene_torque import Samples, SceneTorque, torque_of_scene
 from analytic.units import METRIC
 from analytic.writing import being_written, new_file, new_folder, require_utf8, write
@@ -73,8 +73,9 @@ def torque_with_files(
 def write_torque(
     result: SceneTorque, folder: Path, *, renderer: Sequence[str] | None = None, progress: Progress = silent
 ) -> str | None:
-    """Write torque.json, torque.csv, torque.png and torque.svg, with an interval interval.png, and of each operating
-    point whose cage moved NUMBER-cage.nc, -cage.png and -cage-forces.png.
+    """Write torque.json, torque.csv, torque.png and torque.svg, with an interval interval.png, with a measured
+    surface height-map.png, and of each operating point whose cage moved NUMBER-cage.nc, -cage.png and
+    -cage-forces.png.
 
     renderer : the command that draws; VTK's without it
     Gives what the folder lacks, as `torque_with_files`.
@@ -95,6 +96,8 @@ def write_torque(
         written, lacking = [], _why_at_rest(result)
     if result.prediction is not None:
         _write_prediction(result.prediction, folder)
+    if (surface := result.scene.surface) is not None and surface.height_map is not None:
+        _write_height_map(surface.height_map, folder)
     write(folder / "torque.csv", table_file(result))
     for ending in (".png", ".svg"):
         write(folder / f"torque{ending}", image_of(result.plot(), ending))
@@ -109,6 +112,14 @@ def _write_prediction(prediction: "Prediction", folder: Path) -> None:
     from fembearing.report.figures.style import png
 
     write(folder / "interval.png", png(interval_figure(prediction, METRIC)))
+
+
+def _write_height_map(file: HeightMapFile, folder: Path) -> None:
+    """Write height-map.png: the map without its form."""
+    from fembearing.report.figures.height_map import height_map_figure
+    from fembearing.report.figures.style import png
+
+    write(folder / "height-map.png", png(height_map_figure(file, METRIC, captioned=True)[0]))
 
 
 def _write_motions(

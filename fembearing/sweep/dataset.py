@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.columns import COLUMNS
-from fembearing.provenance import provenance_of
+from fembearing.provenance import provenance_of, without_folders
 from fembearing.sweep.grid import Axis, Grid
 from fembearing.sweep.parts import column_notes
 
@@ -43,17 +43,6 @@ def write_dataset(file: Path, grid: Grid, values: Mapping[str, NDArray[Any]], wa
     dataset.to_netcdf(file, engine="netcdf4")
 
 
-def is_readable(file: Path) -> bool:
-    """Whether a dataset is there and whole, so that it need not be written again."""
-    import xarray
-
-    try:
-        with xarray.open_dataset(file, engine="netcdf4"):
-            return True
-    except (OSError, ValueError):
-        return False
-
-
 def axis_names(axes: Iterable[Axis]) -> dict[str, str]:
     """Key to name of the dimension: without the table of the scene, where it is clear without."""
     short = {axis.key: "bearing" if axis.key == "bearing.catalog" else _short(axis.key) for axis in axes}
@@ -80,7 +69,7 @@ def _provenance(grid: Grid, warnings: Counter[str]) -> dict[str, Any]:
     return {
         "title": f"{grid.what} of {scene.name}",
         "fembearing": origin.versions["fembearing"],
-        "grid": grid.text,
+        "grid": without_folders(grid.text),
         "first_scene": json.dumps(origin.scene_content),
         "warnings": "\n".join(most),
         **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in others.items()},

@@ -2,7 +2,7 @@
 
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from contextlib import closing
 from dataclasses import dataclass, field
 from functools import partial
@@ -17,10 +17,12 @@ from analytic.errors import InputError, require_packages
 from analytic.progress import Progress, silent
 from analytic.scene import Scene
 from analytic.words import about
-from fembearing.sweep.cluster import LostWorkerError, each_done
-from fembearing.sweep.dataset import is_readable, write_dataset
+from analytic.writing import replaced_file
+from fembearing.sweep.cluster import each_done
+from fembearing.sweep.dataset import write_dataset
 from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.parts import REASON, Part, Piece, blank, compute_part, pieces
+from fembearing.sweep.processes import LostWorkerError
 from fembearing.sweep.store import Store, opened_store
 
 SHOWN_REASONS = 5
@@ -87,7 +89,6 @@ def run_sweep(
     workers: int | None = None,
     scheduler: str | None = None,
     progress: Progress = silent,
-    announce: Callable[[str], None] | None = None,
 ) -> Sweep:
     """Compute every point of a grid and gather all in `out`/sweep.nc; a stopped sweep continues when started again.
 
@@ -100,11 +101,9 @@ def run_sweep(
     workers : int, optional
         Number of processes on this machine; None: one for each core.
     scheduler : str, optional
-        Address of a Dask cluster that computes instead.
+        Address of a Dask cluster that computes instead. Without TLS, whoever reaches it can run code there and here.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and a text with the number of points and the time left.
-    announce : callable, optional
-        Called with the address of Dask's dashboard, if there is one.
 
     Returns
     -------
@@ -121,7 +120,7 @@ def run_sweep(
     RuntimeError
         A defect of fembearing at some points, when all others are computed and the dataset is written.
     """
-    require_packages("sweep", "dask", "distributed", "xarray", "netCDF4")
+    require_packages("sweep", "xarray", "netCDF4")
     begun = time.perf_counter()
     if workers is not None and workers < 1:
         raise InputError(f"--workers {workers}: give a whole number from 1, or leave it out for one a core")
@@ -135,14 +134,12 @@ def run_sweep(
             else:
                 gathered.add(piece, part)
         _require_samples(read, read.first_scene())  # which raises where no point is a valid scene
-        results = each_done(
-            partial(compute_part, read), missing, workers=workers, scheduler=scheduler, announce=announce
-        )
+        results = each_done(partial(compute_part, read), missing, workers=workers, scheduler=scheduler)
         with closing(results):
             lost = _keep(store, gathered, missing, results, progress)
         progress(1.0, "gathering")
-        if missing or not is_readable(store.result):
-            store.keep_result(partial(write_dataset, grid=read, values=gathered.values, warnings=gathered.warnings))
+        with replaced_file(store.result) as file:
+            write_dataset(file, read, gathered.values, gathered.warnings)
     if gathered.defects:
         raise RuntimeError(
             f"{len(gathered.defects)} times in this sweep; {store.result} has the points without it; the first is\n"

@@ -1,32 +1,32 @@
-"""The folder of a sweep: its grid, and every finished piece, each written whole or not at all.
+"""The folder of a sweep: what its grid is made of, and every finished piece, each written whole or not at all.
 
 The file name of a piece is a hash of everything that determines it: the version of the program, the scene, the files
-and the laws of traction that it names, the axes, and the points of the piece. A file of that name is therefore always
-the result of the piece.
-One process works on a folder at a time.
+and the laws of traction that it names, the axes, the columns, and the points of the piece. A file of that name is
+therefore the result of the piece, or damaged. It has the digest of the rest, a line of JSON with the words, and the
+numbers of each column.
+One process works on a folder at a time. No link in the folder is followed, and nothing but a regular file is opened.
 """
 
 import hashlib
 import json
 import os
-import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from importlib.metadata import version
-from io import BytesIO
 from pathlib import Path
+from stat import S_ISDIR, S_ISREG
 from typing import Any
 
 import numpy as np
 
 from analytic.errors import InputError
-from analytic.reading import content_of, opened
+from analytic.reading import AT_ONCE, MILLION, NO_LINK, content_of
 from analytic.scene import OwnTraction
 from analytic.scenefile.law_packages import BUILT_IN, installed_law
 from analytic.writing import replaced_file, require_utf8
 from fembearing.sweep.grid import Grid
-from fembearing.sweep.parts import Part, Piece
+from fembearing.sweep.parts import Part, Piece, blank, column_notes
 
 try:
     import fcntl
@@ -34,12 +34,15 @@ except ImportError:  # Windows: the user has to ensure that no other sweep works
     fcntl = None
 
 GRID, RESULT = "sweep.json", "sweep.nc"
-WARNINGS = "warnings"  # beside the columns of a part
+WARNINGS = "warnings"  # beside the columns of words
 MOST_WARNINGS = 20  # kept for a piece
 PARTS, LOCK = "parts", ".lock"
+KINDS = {GRID: S_ISREG, RESULT: S_ISREG, LOCK: S_ISREG, PARTS: S_ISDIR}
 HEIGHT_MAP, TRACTION = "surface.height_map.path", "lubricant.traction"
-LARGEST = 400_000_000  # bytes of a height map, and of a file in the folder
+LARGEST_MAP = 400_000_000  # bytes
+LONGEST = 2_000  # bytes of the words at one point
 DIGITS = 32  # of a hash in a file name
+DIGEST = hashlib.sha256().digest_size
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,37 +50,43 @@ class Store:
     """The folder of one sweep."""
 
     folder: Path
+    grid: Grid
     identity: str  # hashes of everything that determines the results
 
     def path(self, piece: Piece) -> Path:
         """The file of a piece."""
         digest = hashlib.sha256(f"{self.identity} {piece.start} {piece.stop}".encode()).hexdigest()[:DIGITS]
-        return self.folder / PARTS / f"{piece.start:010d}-{digest}.npz"
+        return self.folder / PARTS / f"{piece.start:010d}-{digest}"
 
     def save(self, piece: Piece, part: Part) -> None:
-        """Keep the results of a piece, words as lines."""
-        content = BytesIO()
-        lines = {WARNINGS: "\n".join([*part.warnings][:MOST_WARNINGS])}
-        lines |= {name: "\n".join(values) for name, values in part.values.items() if values.dtype == object}
-        np.savez(content, allow_pickle=False, **(part.values | {name: np.array(text) for name, text in lines.items()}))
+        """Keep the results of a piece."""
+        words = {name: [*values] for name, values in part.values.items() if values.dtype == object}
+        words[WARNINGS] = [*part.warnings][:MOST_WARNINGS]
+        numbers = [values.astype("<f8").tobytes() for name, values in part.values.items() if name not in words]
         self.result.unlink(missing_ok=True)  # it lacks this piece
         path = self.path(piece)
         path.parent.mkdir(exist_ok=True)
-        _write(path, content.getvalue())
+        content = b"\n".join([json.dumps(words).encode(), b"".join(numbers)])
+        _write(path, hashlib.sha256(content).digest() + content)
 
     def load(self, piece: Piece) -> Part | None:
         """The results of a piece; None where it is not finished, or its file is damaged, as by a power failure."""
+        values = blank(self.grid, len(piece))
+        most = (8 * len(values) + LONGEST) * len(piece) + MILLION
         try:
-            with (
-                opened(self.path(piece), most=LARGEST, remedy="") as file,
-                np.load(file, allow_pickle=False) as content,
-            ):
-                values = {
-                    name: each if each.ndim else np.array(str(each).split("\n"), dtype=object)
-                    for name, each in content.items()
-                }
-                warnings = dict.fromkeys(filter(None, values.pop(WARNINGS)))
-        except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+            content = content_of(self.path(piece), most=most, remedy="", linked=False)
+            digest, content = content[:DIGEST], content[DIGEST:]
+            head, _, body = content.partition(b"\n")
+            words: dict[str, list[str]] = json.loads(head)
+            given = {name for name, column in values.items() if column.dtype == object} | {WARNINGS}
+            words_are_sound = all(word.isprintable() for each in words.values() for word in each)
+            if not words_are_sound or words.keys() != given or digest != hashlib.sha256(content).digest():
+                return None
+            warnings = dict.fromkeys(words.pop(WARNINGS))
+            numbers = [name for name in values if name not in words]
+            values |= {name: np.array([*each], dtype=object).reshape(len(piece)) for name, each in words.items()}
+            values |= zip(numbers, np.frombuffer(body, "<f8").reshape(len(numbers), len(piece)), strict=True)
+        except (ValueError, TypeError, AttributeError, RecursionError):
             return None
         return Part(values=values, warnings=warnings)
 
@@ -85,11 +94,6 @@ class Store:
     def result(self) -> Path:
         """The file of the dataset."""
         return self.folder / RESULT
-
-    def keep_result(self, write: Callable[[Path], Any]) -> None:
-        """Write the result by a function that takes its path."""
-        with replaced_file(self.result) as file:
-            write(file)
 
 
 @contextmanager
@@ -104,27 +108,36 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
     was_there = os.path.lexists(folder)
     hashes = _hashes(grid)
     description = folder / GRID
+    _require_own(folder, place)
     if was_there and not description.exists() and not _is_free(folder):
         raise InputError(f"{place} exists and holds no sweep: give a new name, or remove it first")
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        lock = (folder / LOCK).open("w")
+        lock = os.open(folder / LOCK, AT_ONCE | NO_LINK | os.O_RDWR | os.O_CREAT, 0o666)
     except OSError as problem:
         raise InputError(f"{place} cannot be made: {problem.strerror}; give a folder that you may write") from problem
-    with lock:
+    with os.fdopen(lock, "rb"):
         _hold(lock, place)
         is_new = not description.exists()
         try:
             if is_new:
-                text = json.dumps({"made_from": hashes, "grid": grid.text}, indent=1)
-                _write(description, text.encode())
+                _write(description, json.dumps({"made_from": hashes}, indent=1).encode())
             else:
                 _require_same(description, hashes, place)
-            yield Store(folder=folder, identity=json.dumps(hashes, sort_keys=True))
+            identity = json.dumps([hashes, [*column_notes(grid)]], sort_keys=True)
+            yield Store(folder=folder, grid=grid, identity=identity)
         except BaseException:
             if is_new and not (folder / PARTS).exists():
                 _remove(folder, whole=not was_there)
             raise
+
+
+def _require_own(folder: Path, place: str) -> None:
+    """Refuse a folder in which something else has one of our names: a link leads elsewhere, a pipe never ends."""
+    for name, is_right in KINDS.items():
+        with suppress(FileNotFoundError, NotADirectoryError):
+            if not is_right((folder / name).lstat().st_mode):
+                raise InputError(f"{place}: {name!r} in it is not of a sweep: give a new name, or remove it first")
 
 
 def _remove(folder: Path, *, whole: bool) -> None:
@@ -161,7 +174,7 @@ def _height_maps(grid: Grid) -> Iterator[bytes]:
     """Content of every height map that the scene or an axis names."""
     for name in _given(grid, HEIGHT_MAP):
         with suppress(InputError):  # reading the scene raises it
-            yield content_of(Path(grid.folder) / name, most=LARGEST, remedy="")
+            yield content_of(Path(grid.folder) / name, most=LARGEST_MAP, remedy="")
 
 
 def _own_laws(grid: Grid) -> Iterator[OwnTraction]:
@@ -187,9 +200,9 @@ def _is_free(folder: Path) -> bool:
 
 def _require_same(description: Path, hashes: dict[str, str], place: str) -> None:
     try:
-        before = json.loads(content_of(description, most=LARGEST, remedy=""))["made_from"]
+        before = json.loads(content_of(description, most=MILLION, remedy="", linked=False))["made_from"]
         changed = [name for name, digest in hashes.items() if before.get(name) != digest]
-    except (ValueError, TypeError, KeyError, AttributeError):
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         remedy = "give a new name, or remove the folder to start afresh"
         raise InputError(f"{place}: {GRID} in it is damaged; {remedy}") from None
     if changed:
@@ -198,7 +211,7 @@ def _require_same(description: Path, hashes: dict[str, str], place: str) -> None
         )
 
 
-def _hold(lock: Any, place: str) -> None:
+def _hold(lock: int, place: str) -> None:
     if fcntl is None:
         return
     try:

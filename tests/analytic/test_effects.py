@@ -82,25 +82,6 @@ def test_what_lacks_its_input_is_refused_with_the_key_to_give(scene: Scene, name
     refused(lambda: friction_torque(replace(scene, effects={name: "on"})), f"effects.{name}", key)
 
 
-@pytest.mark.parametrize("scene", [OILY, replace(DRY, spin_rule="outer_control"), DRY], ids=["oil", "rule", "cage"])
-def test_a_torque_is_the_same_alone_in_any_series_and_by_the_function(scene: Scene) -> None:
-    axial, radial = np.array([500.0, 90.0, 1500.0, 640.0, 300.0]), np.array([0.0, 320.0, 40.0, 0.0, 9.0])
-    speed, order = np.array([31.0, 470.0, 3.0, 0.0, -120.0]), np.array([3, 1, 4, 0, 2])
-    series = friction_torque(loaded(scene, axial, speed, radial))
-    mixed = friction_torque(loaded(scene, axial[order], speed[order], radial[order])).torque.total
-    alone = [friction_torque(loaded(scene, *point)) for point in zip(axial, speed, radial, strict=True)]
-    function, total = torque_function(scene), series.torque.total
-    given = [
-        {"axial_load": a, "inner_speed": w, "radial_load": r} for a, w, r in zip(axial, speed, radial, strict=True)
-    ]
-    close = 1e-7  # free balls settle to 1e-8 or better
-    np.testing.assert_allclose(mixed, total[order], rtol=close)
-    np.testing.assert_allclose([each.torque.total[0] for each in alone], total, rtol=close)
-    np.testing.assert_allclose([function(**each) for each in given], total, rtol=close)
-    table = function.series(axial_load=axial, inner_speed=speed, radial_load=radial)
-    np.testing.assert_allclose(table, total, rtol=close)
-
-
 MEASURED = "load_distribution centrifugal gyroscopic weight finite_geometry asperities inlet_heating starvation creep"
 
 

@@ -1,9 +1,7 @@
 """The torque as a function for time steps: the same numbers as the series has, errors, and no memory that grows."""
 
 import itertools
-import pickle
 import tracemalloc
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -132,19 +130,6 @@ def test_a_torque_without_oil_has_no_slope_by_temperature() -> None:
     np.testing.assert_allclose(slopes["radial_load"], 0.0, atol=1e-4 * slopes["axial_load"])
 
 
-def test_copies_serve_threads() -> None:
-    function = torque_function(scene_of("6205_physical", spin_rule="free"))
-    loads = np.linspace(310.0, 960.0, 12)
-
-    def torques(own: TorqueFunction) -> list[float]:
-        return [own(axial_load=float(load), inner_speed=41.0, temperature=300.0 + load / 50) for load in loads]
-
-    alone, copies = torques(function.copy()), [function.copy() for _ in range(4)]
-    with ThreadPoolExecutor(4) as pool:
-        for found in pool.map(torques, copies):
-            np.testing.assert_array_equal(found, alone)
-
-
 def test_balls_that_squeeze_the_cage_have_the_series_closed_form() -> None:
     """Where balls lead farther than the pockets leave free, the point goes to the series."""
     scene = scene_of("6205-dry", spin_rule="balanced")
@@ -223,10 +208,3 @@ def test_calls_keep_no_memory(balanced: TorqueFunction) -> None:
             kept.append(tracemalloc.get_traced_memory()[0])
     tracemalloc.stop()
     assert kept[1] - kept[0] < 10_000  # bytes, of 800 calls: less than one number for each
-
-
-def test_a_function_is_sent_to_another_process(balanced: TorqueFunction) -> None:
-    at = {"axial_load": 410.0, "inner_speed": 23.0}
-    other = pickle.loads(pickle.dumps(balanced))
-    assert other(**at) == balanced(**at)
-    assert other.lock is not balanced.lock

@@ -1,7 +1,6 @@
 """Friction torque with a lubricant: what defines film and coefficient, limits, second scenes, JSON and refusals."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -74,24 +73,6 @@ def test_the_film_is_that_of_the_oil_s_share_at_its_temperature(scene: Scene, te
         assert heating[2] < 0.97  # so that it shows
         np.testing.assert_allclose(film, heating * oil.thickness, rtol=1e-6)  # the share is good to 1e-7
         assert np.all((share > 0) & (share < 1))
-
-
-@pytest.mark.parametrize("traction", ["eyring_sinh", "eyring_constant"])
-def test_the_torque_at_rest_is_that_of_slow_running(scene: Scene, traction: Any) -> None:
-    speeds = np.concatenate([[0.0, 1e-100], np.geomspace(1e-9, 10.0, 1001)])
-    slow = replace(
-        scene,
-        operation=Operation(axial_load=np.full(speeds.size, 730.0), inner_speed=speeds),
-        lubricant=replace(OIL, traction=traction),
-        effects=PLAIN | {"rolling": "off"},
-    )
-    torque = friction_torque(slow).torque.total
-    still, *running = torque
-    # A constant stress shears what oil the gap of 0.02 nm at rest holds, as slowly as it may slide.
-    np.testing.assert_allclose(running[0], still, rtol=1e-9 if traction == "eyring_sinh" else 3e-4)
-    np.testing.assert_allclose(torque[speeds <= 1e-6], still, rtol=0.01)
-    assert np.max(np.abs(np.diff(np.log(torque)))) < 0.01  # no jump between any two of the speeds
-    assert torque[-1] < 0.5 * still
 
 
 def test_what_does_not_fit_together_is_refused(scene: Scene) -> None:

@@ -24,16 +24,6 @@ def scene(bearing_6205: Bearing) -> Scene:
     return dry(bearing_6205)
 
 
-def test_without_friction_only_hysteresis_is_left(scene: Scene) -> None:
-    found = friction_torque(replace(scene, friction_coefficient=0.0))
-    assert part(found.torque, "spin") == 0
-    assert part(found.torque, "conformity") == 0
-    assert found.torque.total == part(found.torque, "hysteresis") > 0
-    nothing = friction_torque(replace(scene, friction_coefficient=0.0, hysteresis_loss=0.0))
-    assert nothing.torque.total == 0
-    assert all(effect.share == 0 for effect in nothing.effects if effect.decision == "on")
-
-
 def same(first: FrictionTorque, second: FrictionTorque) -> bool:
     return first.rows == second.rows
 

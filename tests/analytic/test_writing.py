@@ -98,6 +98,32 @@ def test_force_replaces_what_is_of_fembearing_alone(tmp_path: Path) -> None:
     assert names(tmp_path) == ["made", "other"]
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no pipes in folders")
+def test_force_neither_follows_a_link_nor_waits_for_a_pipe(tmp_path: Path) -> None:
+    """The listing of a folder that others prepared, and a link to a folder that would be replaced."""
+    fill(tmp_path / "made")
+    listing = tmp_path / "made" / ".fembearing"
+    prepare = {
+        "pipe": lambda: os.mkfifo(listing),
+        "link": lambda: listing.symlink_to(tmp_path / "listing"),
+        "3 GB": lambda: (listing.touch(), os.truncate(listing, 3 * 10**9)),
+        "no text": lambda: listing.write_bytes(b"\xff"),
+    }
+    listing.rename(tmp_path / "listing")
+    for make in prepare.values():
+        make()
+        refused(lambda: fill(tmp_path / "made", force=True), "it is no folder that fembearing made")
+        listing.unlink()
+    (tmp_path / "listing").rename(listing)
+    (tmp_path / "made/b.txt").write_text("precious")
+    (tmp_path / "link").symlink_to(tmp_path / "made")
+    fill(tmp_path / "link", force=True)
+    assert (tmp_path / "made/b.txt").read_text() == "precious"
+    os.mkfifo(tmp_path / "pipe")
+    for make in (writing.new_file, writing.new_folder):
+        refused(lambda: make(tmp_path / "pipe", force=True).__enter__(), "is not replaced")  # noqa: B023
+
+
 @pytest.mark.parametrize("stop", [OSError(errno.EIO, "broken", "new", None, "made"), KeyboardInterrupt()])
 def test_a_folder_comes_back_if_the_new_one_cannot_take_its_name(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stop: BaseException

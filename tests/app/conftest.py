@@ -11,7 +11,7 @@ from nicegui.testing import User, user_simulation
 
 from fembearing.app import evaluation
 from fembearing.app.evaluation import Evaluation, at_once, completed
-from fembearing.app.page import FIRST, Page
+from fembearing.app.page import FIRST, Page, after_handshake
 from fembearing.app.scene_edit import of_bearing
 
 LONGEST = 1200  # tenths of a second: the machine may do much else, or compile formulas
@@ -45,8 +45,10 @@ class Opening:
         self.pages: list[Page] = []
 
     async def __call__(self) -> tuple[Any, Page]:
-        user = User(self.first.http_client)
+        user, before = User(self.first.http_client), len(self.pages)
         await user.open("/")
+        while len(self.pages) == before:  # it is built after the handshake
+            await asyncio.sleep(0)
         return user, self.pages[-1]
 
 
@@ -65,7 +67,7 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
     faults: list[Exception] = []  # raised at the end: an exception that leaves the simulation keeps its loop alive
 
     async def whole() -> None:
-        async with user_simulation(lambda: opened.pages.append(Page())) as opened.first:
+        async with user_simulation(after_handshake(lambda: opened.pages.append(Page()))) as opened.first:
             try:
                 await pyfuncitem.obj(**given)
             except Exception as fault:

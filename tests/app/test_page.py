@@ -7,9 +7,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from nicegui import app
 from rich.console import Console
 
 from analytic.errors import InputError
+from analytic.prediction.steady import steady_scene
 from analytic.scene_torque import torque_of_scene
 from analytic.scenefile.read import load_scene
 from analytic.scenefile.template import scene_text
@@ -19,7 +21,7 @@ from fembearing.app.evaluation import Evaluation
 from fembearing.app.page import Page
 from fembearing.app.scene_edit import CATALOG, with_value
 from fembearing.app.server import add_report
-from fembearing.report.sections.headline import headline_section
+from fembearing.report.sections.headline import headline_section, torque_headline
 from fembearing.report.terminal import print_sections
 
 LOAD, SPEED = "operation.radial_load", "operation.inner_speed"
@@ -65,27 +67,87 @@ async def test_the_headline_is_that_of_the_command(opened, settled, monkeypatch:
 
 
 @pytest.mark.usefixtures("no_curve")
-async def test_a_refused_input_has_the_words_of_the_command_beside_its_field(opened, settled) -> None:
+@pytest.mark.parametrize(
+    ("key", "option", "typed"),
+    [
+        (LOAD, "radial_load", "5 kg"),
+        (LOAD, "radial_load", "500"),
+        (LOAD, "radial_load", "nan"),
+        (LOAD, "radial_load", "1,500 N"),
+        (SPEED, "speed", "1,500"),
+        (SPEED, "speed", "12 Hz"),
+        ("lubricant.temperature", "temperature", "60"),
+    ],
+)
+async def test_a_refused_input_has_the_words_of_the_command_beside_its_field(
+    opened, settled, key, option, typed
+) -> None:
     _, page = await opened()
     await settled(page)
-    before = page.lines["torque"].text
-    page.fields[LOAD].value = "5 kg"
+    before, usual = page.lines["torque"].text, page.fields[key].value
+    page.fields[key].value = typed
     await settled(page)
     with pytest.raises(InputError) as told:
-        load_scene("6206", radial_load="5 kg")
+        load_scene("6206", **{option: typed})
     words_of_the_command = str(told.value).removeprefix("scene of 6206: ")
-    assert page.fields[LOAD].error == f"scene: {words_of_the_command}"
-    assert [key for key, field in page.fields.items() if field.error] == [LOAD]
+    assert page.fields[key].error == f"scene: {words_of_the_command}"
+    assert [each for each, field in page.fields.items() if field.error] == [key]
     assert page.lines["torque"].text == before
-    assert "old" in page.lines["torque"].classes
+    assert {"old"} & {*page.lines["torque"].classes} & {*page.results.classes}
     page.fields[CATALOG].value = "6299"
     assert "6299" in page.fields[CATALOG].error
-    assert page.fields[LOAD].error is None
-    page.fields[LOAD].value = "700 N"
+    assert page.fields[key].error is None
+    page.fields[CATALOG].value = "6206"  # as it was: the refusal goes
+    page.fields[key].value = usual
     await settled(page)
     assert not any(field.error for field in page.fields.values())
-    assert "old" not in page.lines["torque"].classes
+    assert not {"old"} & {*page.lines["torque"].classes, *page.results.classes}
+    page.fields[LOAD].value = "700 N"
+    await settled(page)
     assert page.lines["torque"].text != before
+
+
+@pytest.mark.usefixtures("no_curve")
+async def test_a_cleared_field_shows_what_is_computed_with_in_grey(opened, settled) -> None:
+    _, page = await opened()
+    await settled(page)
+    diameter, supply = (page.fields[key] for key in ("bearing.ball_diameter", "lubricant.supply"))
+    for typed, is_refused in (("30 mm", True), ("", False), ("9.4 mm", False), ("", False)):
+        diameter.value = typed
+        await settled(page)
+        assert bool(diameter.error) == is_refused
+    shown = page.evaluation.result.scene.bearing.ball_diameter
+    assert (diameter.value, diameter.props["placeholder"]) == ("", f"{1e3 * shown:g} mm")
+    for word, nothing in (("grease", "derived"), ("", "oil bath")):
+        supply.value = word
+        await settled(page)
+        assert supply.options[""] == nothing
+
+
+@pytest.mark.usefixtures("no_curve")
+async def test_friction_settles_the_temperature_where_a_thermal_resistance_is_given(opened, settled) -> None:
+    _, page = await opened()
+    page.fields["thermal.resistance"].value = "0.6 K/W"
+    await settled(page)
+    assert page.fields["thermal.ambient"].error == 'scene: thermal.ambient is missing; give for example "40 degC"'
+    page.fields["thermal.ambient"].value = "31C"
+    await settled(page)
+    settings = {"thermal.resistance": "0.6 K/W", "thermal.ambient": "31 degC"}
+    told = torque_of_scene(steady_scene("6206", settings=settings))
+    assert page.lines["title"].text == torque_headline(told).title
+    assert page.lines["torque"].text == torque_headline(told).torque
+
+
+async def test_requests_without_a_browser_build_and_compute_nothing(opened) -> None:
+    """Nor do they take a page from those who have one."""
+    user, page = await opened()
+    for _ in range(200):
+        response = await user.http_client.get("/")
+        assert response.status_code == 200
+    assert opened.pages == [page]
+    assert page.is_open
+    assert len([*app.clients()]) < 50
+    assert len((await opened())[1].fields) > 20
 
 
 @pytest.mark.usefixtures("no_curve")
@@ -114,31 +176,6 @@ async def test_a_pasted_scene_fills_the_fields(opened, settled) -> None:
     assert page.lines["title"].text.startswith("7208B, axial ")
     page.fields["scene"].value = "[bearing"
     assert page.fields["scene"].error.startswith("scene: not TOML")
-
-
-@pytest.mark.usefixtures("no_curve")
-async def test_the_cage_and_the_seats_change_the_torque(opened, settled) -> None:
-    _, page = await opened()
-    await settled(page)
-    first = page.evaluation.row
-    page.inputs.cage.value = True
-    await settled(page)
-    assert page.fields["cage.mass"].value == "11 g"
-    assert page.inputs.pockets.visible
-    caged = page.evaluation.row
-    assert caged["torque_cage"] > 0
-    assert caged["torque_total"] == pytest.approx(
-        first["torque_total"] + caged["torque_cage"], rel=0.02
-    )  # it brakes the balls too
-    page.inputs.cage.value = False
-    page.fields["mounting.shaft_interference"].value = "30 um"  # more than the clearance: every ball is preloaded
-    await settled(page)
-    assert page.evaluation.row["torque_total"] > first["torque_total"]
-    page.fields["mounting.shaft_interference"].value = ""
-    await settled(page)
-    assert page.evaluation.row["torque_total"] == pytest.approx(
-        first["torque_total"], rel=1e-9
-    )  # round-off of the equilibrium
 
 
 NAMES = ("6004", "6205", "6206", "6308")

@@ -1,29 +1,22 @@
 """Fields that change the text of a scene: what is read afterwards, and that all else of the text stays."""
 
+import tomllib
+
 import pytest
 
 from analytic.errors import InputError
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
-from fembearing.app.scene_edit import (
-    FIELDS,
-    OPERATION,
-    commented_value,
-    field_in,
-    has_table,
-    of_bearing,
-    values_in,
-    with_cage,
-    with_dimensions,
-    with_typed,
-    with_value,
-)
+from fembearing.app.evaluation import at_once
+from fembearing.app.scene_edit import FIELDS, OPERATION, field_in, of_bearing, values_in, with_typed, with_value
 
 USUAL = scene_text("6206")
 TYPED = {  # by the fields, what a scene has after it
     "operation.radial_load": ("2,5 kN", "2.5 kN"),
     "operation.axial_load": ("320N", "320 N"),
     "operation.inner_speed": ("730", "730 rpm"),
+    "operation.moment": ("2,5 N m", "2.5 N m"),
+    "operation.tilt": ("free", "free"),
     "lubricant.name": ("ISO VG 46", "ISO VG 46"),
     "lubricant.temperature": ("81C", "81 degC"),
     "lubricant.supply": ("grease", "grease"),
@@ -35,29 +28,87 @@ TYPED = {  # by the fields, what a scene has after it
     "bearing.outer.conformity": ("0.525", 0.525),
     "bearing.inner.shoulder_half_width": ("3.5 mm", "3.5 mm"),
     "bearing.outer.shoulder_half_width": ("3.6 mm", "3.6 mm"),
+    "bearing.static_load_rating": ("11,2 kN", "11.2 kN"),
+    "bearing.dynamic_load_rating": ("19.4kN", "19.4 kN"),
     "bearing.clearance": ("C3", "C3"),
     "mounting.shaft_interference": ("7um", "7 um"),
     "mounting.housing_interference": ("-5 um", "-5 um"),
     "mounting.inner_temperature": ("75C", "75 degC"),
     "mounting.outer_temperature": ("66 degC", "66 degC"),
+    "arrangement.kind": ("X", "X"),
+    "arrangement.preload": ("90N", "90 N"),
+    "arrangement.offset": ("12um", "12 um"),
+    "arrangement.distance": ("31 mm", "31 mm"),
     "cage.pocket_clearance": ("0.3 mm", "0.3 mm"),
     "cage.wall_thickness": ("1.3mm", "1.3 mm"),
     "cage.mass": ("13 g", "13 g"),
     "cage.material": ("peek", "peek"),
+    "losses.seals": ("6 N mm", "6 N mm"),
+    "losses.drag": ("2,5 N mm", "2.5 N mm"),
+    "losses.oil_share": ("3 %", "3 %"),
+    "losses.oil_flow": ("0.7 l/min", "0.7 l/min"),
+    "thermal.resistance": ("0,6 K/W", "0.6 K/W"),
+    "thermal.ambient": ("31C", "31 degC"),
 }
+BESIDE = {  # what has a meaning only, or a torque only, with others
+    "operation.radial_load": {"operation.axial_load": "210 N"},
+    "lubricant.temperature": {"thermal.resistance": "0.3 K/W", "thermal.ambient": "22 degC"},
+    "arrangement.distance": {"arrangement.kind": "O", "arrangement.preload": "90 N"},
+    # A cage of which nothing is given gives way to its balls.
+    **{key: {"cage.mass": "13 g"} for key in ("cage.pocket_clearance", "cage.wall_thickness", "cage.material")},
+    "cage.mass": {"cage.wall_thickness": "1.3 mm"},
+}
+# Without the first, or with one of the last alone, a scene has no torque.
+NOT_ALONE = {"operation.inner_speed", "lubricant.name", "surface.finish"}
+NOT_ALONE |= {"mounting.inner_temperature", "mounting.outer_temperature"}
 
 
 @pytest.mark.parametrize("key", FIELDS)
 def test_a_field_changes_its_key_and_no_other(key: str) -> None:
+    """Cleared again, it leaves no key and no table."""
     typed, value = TYPED[key]
-    usual = with_cage(USUAL, has_cage=key.startswith("cage."))
-    changed, _ = with_typed(usual, key, typed)
-    assert values_in(changed) == values_in(usual) | {key: value}
-    before, after = usual.split("\n"), changed.split("\n")
-    *head, line = [new for old, new in zip(before, after, strict=True) if old != new]
-    assert [each.split()[0] for each in head] == (["[mounting]"] if key.startswith("mounting.") else [])
-    assert line.partition("=")[0].strip() == key.partition(".")[2]
-    assert ("#" in line) == any(f"{key.partition('.')[2]} =" in old and "#" in old[1:] for old in before)
+    table, _, name = key.partition(".")
+    changed, _ = with_typed(USUAL, key, typed)
+    assert values_in(changed) == values_in(USUAL) | {key: value}
+    before, after = USUAL.rstrip().split("\n"), changed.rstrip().split("\n")
+    if len(after) > len(before):  # the usual scene has no such line
+        assert [line for line in after if line and line not in before][-1].startswith(f"{name} = ")
+    else:
+        *head, line = [new for old, new in zip(before, after, strict=True) if old != new]
+        assert [each.split()[0] for each in head] == ([f"[{table}]"] if f"\n#[{table}]" in USUAL else [])
+        assert line.partition("=")[0].strip() == name
+        assert ("#" in line) == any(f"{name} =" in old and "#" in old[1:] for old in before)
+    if key not in values_in(USUAL):
+        cleared, _ = with_typed(changed, key, " ")
+        assert tomllib.loads(cleared) == tomllib.loads(USUAL)
+
+
+@pytest.mark.parametrize("key", sorted({*FIELDS} - NOT_ALONE))
+def test_an_empty_field_shows_what_the_torque_is_computed_with(key: str) -> None:
+    """Typed in, it gives the same torque."""
+    text = USUAL
+    for other, value in BESIDE.get(key, {}).items():
+        text = with_value(text, other, value)
+    found = at_once(with_value(text, key, None))
+    derived = found.derived[key]
+    if derived == "none":
+        return
+    alone = USUAL if key == "lubricant.temperature" else text  # friction settles it no longer
+    again = at_once(with_typed(alone, key, derived)[0])
+    assert again.derived[key] == derived
+    # It has 6 digits.
+    assert again.row["torque_total"] == pytest.approx(found.row["torque_total"], rel=1e-4)
+
+
+def test_an_empty_field_shows_the_seals_and_the_cage_of_the_designation() -> None:
+    angular = at_once(scene_text("7208B"))
+    assert angular.derived["bearing.clearance"] == f"{1e6 * angular.result.scene.bearing.diametral_clearance:g} um"
+    found = at_once(scene_text("6305-2RS"))
+    scene = found.result.scene
+    assert scene.losses.seals
+    assert scene.cage
+    assert found.derived["losses.seals"] == f"{1e3 * scene.losses.seals:g} N mm"
+    assert found.derived["cage.mass"] == f"{1e3 * scene.cage.mass:g} g"
 
 
 def test_the_scene_is_that_of_the_options_of_the_command_line() -> None:
@@ -110,26 +161,13 @@ def test_another_bearing_keeps_what_was_changed() -> None:
     assert values_in(of_bearing("6206", moved)) == values_in(changed)
 
 
-def test_another_bearing_has_its_own_dimensions_and_the_cage_of_its_balls() -> None:
-    changed, _ = with_typed(with_cage(USUAL, has_cage=True), "bearing.ball_diameter", "9.4 mm")
-    changed, _ = with_typed(changed, "mounting.shaft_interference", "7 um")
-    usual = values_in(with_cage(scene_text("6308"), has_cage=True))
-    assert values_in(of_bearing("6308", changed)) == usual | {"mounting.shaft_interference": "7 um"}
-
-
-def test_a_cage_is_put_in_and_taken_away() -> None:
-    with_one = with_cage(USUAL, has_cage=True)
-    cage = parse_scene(with_one, origin="here").cage
-    assert cage is not None
-    assert cage.mass == 0.011
-    assert with_cage(with_one, has_cage=True) == with_one
-    assert with_cage(with_one, has_cage=False) == USUAL
-    # A text without the comments gets them from the usual scene of its bearing.
-    bare = '[bearing]\ncatalog = "6206"\n'
-    assert values_in(with_cage(bare, has_cage=True)) == values_in(bare) | {
-        key: value for key, value in values_in(with_one).items() if key.startswith("cage.")
-    }
-    assert has_table(with_cage("[bearing]\nball_count = 7\n", has_cage=True), "cage")
+def test_another_bearing_has_its_own_dimensions_and_cage_and_what_was_cleared_stays_so() -> None:
+    changed = USUAL
+    for key, typed in {"bearing.ball_diameter": "9.4 mm", "cage.mass": "13 g", "operation.axial_load": "320 N"}.items():
+        changed, _ = with_typed(changed, key, typed)
+    changed, _ = with_typed(changed, "operation.radial_load", "")
+    usual = {key: value for key, value in values_in(scene_text("6308")).items() if key != "operation.radial_load"}
+    assert values_in(of_bearing("6308", changed)) == usual | {"operation.axial_load": "320 N"}
 
 
 def test_the_last_key_of_the_seats_takes_their_table_away() -> None:
@@ -137,24 +175,10 @@ def test_the_last_key_of_the_seats_takes_their_table_away() -> None:
     second, _ = with_typed(first, "mounting.outer_temperature", "66 degC")
     assert parse_scene(second, origin="here").bearing != parse_scene(USUAL, origin="here").bearing
     without, _ = with_typed(second, "mounting.inner_temperature", "")
-    assert has_table(without, "mounting")
+    assert "\n[mounting]" in without
     without, _ = with_typed(without, "mounting.outer_temperature", "")
-    assert not has_table(without, "mounting")
+    assert "\n[mounting]" not in without
     assert with_typed(without, "mounting.inner_temperature", "75 degC")[0].count("[mounting]") == 1
-
-
-@pytest.mark.parametrize("designation", ["6206", "7208B"])
-def test_dimensions_to_edit_are_those_of_the_bearing(designation: str) -> None:
-    text = scene_text(designation)
-    own = with_dimensions(text)
-    assert "\nball_diameter = " in own
-    given, derived = (parse_scene(each, origin="here").bearing for each in (own, text))
-    # The text has 7 digits.
-    assert given.ball_diameter == pytest.approx(derived.ball_diameter, rel=1e-6)
-    assert given.inner.groove_radius == pytest.approx(derived.inner.groove_radius, rel=1e-4)  # conformity has %g
-    assert given.ball_count == derived.ball_count
-    changed = parse_scene(with_value(own, "bearing.ball_count", derived.ball_count - 1), origin="here").bearing
-    assert changed.ball_count == derived.ball_count - 1
 
 
 def test_a_refused_value_is_put_beside_its_field() -> None:
@@ -165,12 +189,8 @@ def test_a_refused_value_is_put_beside_its_field() -> None:
     assert field_in("the bearing is blue") is None
 
 
-def test_only_comments_and_lines_of_the_own_table_count() -> None:
+def test_only_lines_of_the_own_table_count() -> None:
     text = '[cage]\nmass = "3 g"\n#[lubricant]\n#name = "oil"\n[bearing]\n#mass = "5 g"\ncatalog = "6206"\n'
-    assert commented_value(text, "bearing.mass") == "5 g"
-    assert commented_value(text, "cage.mass") == ""
-    assert commented_value(text, "lubricant.name") == "oil"
-    assert commented_value(text, "surface.finish") == ""
     changed = with_value(text, "lubricant.name", "other")
     assert "\n[lubricant]\n" in changed
     assert values_in(changed)["lubricant.name"] == "other"

@@ -169,10 +169,7 @@ def test_a_process_that_is_asked_to_end_cleans_up(tmp_path: Path, number: signal
 
 @pytest.mark.parametrize(("options", "shown"), [("", False), ("-W default", True)])
 def test_a_warning_of_a_library_is_shown_to_who_asks_python_for_it(tmp_path: Path, options: str, shown: bool) -> None:
-    warn = (
-        "import warnings; from fembearing.cli.boundary import guarded\n"
-        "guarded(lambda: warnings.warn('header'), examples={})"
-    )
+    warn = "import warnings; from fembearing.cli.boundary import guarded\nguarded(lambda: warnings.warn('header'))"
     done = in_shell(f'"{sys.executable}" {options} -c "{warn}"', cwd=tmp_path, PYTHONWARNINGS="")
     assert done.returncode == 0
     assert ("UserWarning: header" in done.stderr) == shown

@@ -56,6 +56,14 @@ def test_a_bearing_has_the_loads_of_the_file_alone_and_tells_what_is_assumed(com
     assert "assumed: " not in command("compare", "bare.toml", "data.csv", *QUICK).out
 
 
+def test_columns_that_are_not_read_are_told_once(command: Run, place: Path) -> None:
+    text = (place / "data.csv").read_text("utf-8").replace("\n", ",12.3.2024\n").replace("12.3.2024", "date", 1)
+    (place / "dated.csv").write_text(text, "utf-8")
+    ended = command("compare", "bare.toml", "dated.csv", "--quiet", *QUICK)
+    assert ended.status == 0
+    assert ended.err == "fembearing: warning: dated.csv: columns that are not read: date\n"
+
+
 def test_json_fits_its_schema_and_is_alone_on_standard_output(command: Run, place: Path) -> None:
     assert place.is_dir()
     ended = command("compare", "scene.toml", "--json", "--seed", "5", *QUICK)

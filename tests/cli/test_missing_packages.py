@@ -76,8 +76,9 @@ THREADS, SOLVER = (f"{{}} needs {each}: {HOW.format('check')}" for each in ("thr
 PICTURES = f"--out {{!r}} needs matplotlib: {HOW.format('check')}"
 REFUSED = {  # by installation: what lacks a package, with what it says
     "plain": {
-        "sweep ../grid.toml --out new": SWEEP.format("dask"),
-        "import fembearing; fembearing.run_sweep('g.toml', out='o')": SWEEP.format("dask"),
+        "sweep ../grid.toml --out new": SWEEP.format("xarray"),
+        "compare ../s.toml ../rig.xlsx": f"../rig.xlsx needs openpyxl: {HOW.format('sweep')}",
+        "import fembearing; fembearing.run_sweep('g.toml', out='o')": SWEEP.format("xarray"),
         "import analytic; analytic.friction_torque(analytic.load_scene('6205-dry')).to_dataset()": (
             f"a dataset needs xarray: {HOW.format('sweep')}"
         ),
@@ -116,7 +117,7 @@ class Installation(NamedTuple):
 def installation(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Installation:
     """Commands of ours, and Python that imports, each in a new folder, where none of the modules can be imported."""
     name, folder = request.param, tmp_path_factory.mktemp(request.param)
-    for file, text in (("s.toml", SCENE), ("moving.toml", MOVING), ("grid.toml", GRID)):
+    for file, text in (("s.toml", SCENE), ("moving.toml", MOVING), ("grid.toml", GRID), ("rig.xlsx", "PK\3\4")):
         (folder / file).write_text(text, "utf-8")
     lines = [*REFUSED[name], *POSSIBLE[name]]
     done = subprocess.run(

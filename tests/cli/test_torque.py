@@ -120,3 +120,39 @@ def test_several_scenes_are_one_table_with_their_names_and_one_figure(command, t
             assert not any(both[column] for column in both.keys() - row.keys() - {"scene"})
     assert (tmp_path / "two.png").read_bytes().startswith(b"\x89PNG")
     assert command("torque", *scenes, "--out", str(tmp_path / "two.csv")).status == INPUT_AT_FAULT  # it exists
+
+
+LIST = """\
+Bearing;radial load [kN];axial load;speed [rpm];oil;pieces
+6206;1,2;;3000;;4
+62066;2,5;;3000;;1
+6206;0,9;200 N;;ISO VG 68;2
+"""
+ALONE = {
+    "6206": ("--radial-load", "1.2 kN", "--speed", "3000 rpm"),
+    "6206 (2)": ("--radial-load", "0.9 kN", "--axial-load", "200 N", "--oil", "ISO VG 68"),
+}
+BOTH = ("--temperature", "71C", "--set", "friction.spin_rule=balanced")  # free balls take seconds
+
+
+def test_a_list_gives_each_bearing_its_own_row(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "list.csv").write_text(LIST, "utf-16")
+    refused = command("torque", "list.csv", *BOTH, "--out", "none.csv")
+    assert (refused.status, refused.out) == (INPUT_AT_FAULT, "")
+    assert "list.csv: row 2 (line 3): bearing '62066' is not in the catalogue" in refused.err
+    kept = command("torque", "list.csv", *BOTH, "--keep-going", "--json", "--quiet")
+    assert kept.status == NOT_SOLVED
+    assert [line for line in kept.err.splitlines() if "pieces" in line] == [
+        "fembearing: warning: list.csv: columns that are not read: pieces"
+    ]
+    assert "skipped: list.csv: row 2 (line 3): bearing '62066'" in kept.err
+    found = json.loads(kept.out)
+    assert found.keys() == ALONE.keys()
+    for name, words in ALONE.items():
+        alone = json.loads(command("torque", "6206", *words, *BOTH, "--json").out)
+        assert found[name]["points"] == alone["points"]
+    assert command("torque", "list.csv", *BOTH, "--keep-going", "--out", "some.csv").status == NOT_SOLVED
+    rows = list(csv.DictReader((tmp_path / "some.csv").read_text("utf-8").splitlines()))
+    assert [row["scene"] for row in rows] == [*ALONE]
+    assert {path.name for path in tmp_path.iterdir()} == {"list.csv", "some.csv"}

@@ -5,6 +5,7 @@ from typing import Any
 import pytest
 
 from analytic.errors import InputError
+from analytic.scene import Scene
 from fembearing.cli.status import INPUT_AT_FAULT
 
 
@@ -15,8 +16,8 @@ def asked(command, monkeypatch: pytest.MonkeyPatch):
     def run(target: str, *arguments: str) -> dict[str, Any]:
         found: dict[str, Any] = {}
 
-        def note(_: object, **how: Any) -> None:
-            found.update(how)
+        def note(scene: Scene, **how: Any) -> None:
+            found.update(how, tolerance=scene.tolerance)
             raise InputError("enough")
 
         monkeypatch.setattr(target, note)

@@ -41,25 +41,10 @@ def force_number(found: NumericalFilm) -> float:
     return found.rolling_force.value / found.contact.force_scale
 
 
-def test_a_rigid_point_contact_has_the_film_of_two_other_codes() -> None:
-    """H M^2 is 35.2 to 35.5 for an endless inlet.
-
-    The reach leaves 1 % (its error falls with the root of the gap there, and the film changes by 2 % from a fourth of
-    the reach), bodies that are not quite rigid 0.5 %, and the coarse grids 1 %.
-    """
-    assert film_number(rigid(8000.0)) * 0.5**2 == pytest.approx(35.35, rel=0.025)
-
-
 def test_the_force_of_a_rigid_contact_grows_with_the_logarithm_of_the_reach() -> None:
     """dF^/d ln X = 6 pi/((3 + 2 lambda) sqrt(lambda)); the coarse grids leave 2 % of a difference of two forces."""
     slope = (force_number(rigid(8000.0)) - force_number(rigid(1000.0))) / math.log(8.0)
     assert slope == pytest.approx(6 * math.pi / 5, rel=0.03)
-
-
-def test_both_ways_to_the_force_agree_for_constant_viscosity() -> None:
-    found = rigid(8000.0)
-    ratio = found.dissipated_force.value / found.rolling_force.value
-    assert ratio == pytest.approx(1.0, abs=5e-3)  # 0.04 to 0.1 % was seen
 
 
 def test_a_dry_contact_is_that_of_hertz() -> None:
@@ -76,32 +61,6 @@ def test_a_dry_contact_is_that_of_hertz() -> None:
     row = np.interp(0.5, found.grid.x / a, found.pressure[:, 0])
     column = np.interp(0.5, found.grid.y / a, found.pressure[np.abs(found.grid.x).argmin()])
     assert row == pytest.approx(column, rel=0.01)
-
-
-@pytest.mark.parametrize(
-    ("law", "pressure_viscosity", "tolerance"),
-    # Barus's law is similar but for Newton's last step. Roelands's is not quite: its exponent depends on the viscosity,
-    # and 2 % are known for these two.
-    [("barus", 1.3e-8, 3e-3), ("roelands", 2e-8, 0.02)],
-)
-def test_contacts_of_the_same_numbers_of_moes_have_the_same_film_and_force(
-    law: str, pressure_viscosity: float, tolerance: float
-) -> None:
-    one = numerical_film(moes(23.0, 5.0, 0.47, compressible=False, law=law), refinement=0.33)
-    other = moes(
-        23.0,
-        5.0,
-        0.47,
-        compressible=False,
-        law=law,
-        viscosity=0.0125,
-        pressure_viscosity=pressure_viscosity,
-        modulus=0.8e11,
-        radius=4e-3,
-    )
-    two = numerical_film(other, refinement=0.33)
-    assert film_number(two) == pytest.approx(film_number(one), rel=tolerance)
-    assert force_number(two) == pytest.approx(force_number(one), rel=tolerance)
 
 
 def test_light_circular_contact_has_the_films_of_two_other_codes() -> None:

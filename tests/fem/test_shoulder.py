@@ -7,7 +7,6 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from analytic.contact.geometry import cut_off_share
 from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.check.contact.refinement import COMPARED
@@ -174,9 +173,3 @@ def test_a_far_shoulder_that_is_reached_cuts_the_contact_like_a_near_one() -> No
     np.testing.assert_allclose(other.semi_axes, one.semi_axes, rtol=1e-9)
     for name in COMPARED:
         assert getattr(other.quantities, name) == pytest.approx(getattr(one.quantities, name), rel=1e-9), name
-
-
-def test_the_share_beyond_the_shoulder_is_that_of_hertzs_parabola() -> None:
-    y = np.linspace(0.8e-3, 0.946e-3, 2001) / 0.946e-3
-    expected = 0.75 * np.trapezoid(1 - y**2, y)  # of unit load
-    assert float(cut_off_share(0.8e-3, 0.946e-3)) == pytest.approx(expected, rel=1e-5)  # of 2000 steps

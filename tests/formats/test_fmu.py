@@ -1,4 +1,4 @@
-"""The unit in FMPy: valid, with the torque within its stated error; it keeps its state and refuses what is outside."""
+"""The unit in FMPy: valid, with the torque within its stated error; it keeps its state, and holds what is outside."""
 
 import re
 import zipfile
@@ -8,13 +8,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from scipy.interpolate import RegularGridInterpolator
 
 from analytic.scene import Array
 from analytic.scenefile.read import load_by_temperature
 from fembearing.formats import fmu
 from fembearing.formats.axes import axes_of
 from fembearing.formats.choice import export_of
-from fembearing.formats.interpolation import interpolated
 from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
 from tests.refusals import refused
 
@@ -27,6 +27,7 @@ OVER = {
     "radial_load": "400 N",
     "temperature": "50 degC to 75 degC in 2",
 }
+OK, WARNING = 0, 1  # statuses of FMI
 INPUTS, OUTPUTS = ("speed", "axial_load", "temperature"), ("low", "torque", "high", "power")
 
 
@@ -69,6 +70,16 @@ class Unit:
     def take(self, *names: str) -> list[float]:
         return self.slave.getReal([self.places[name] for name in names])
 
+    @property
+    def outside(self) -> int:
+        """Number of the input that is beyond the table; 0: none."""
+        return self.slave.getInteger([self.places["outside"]])[0]
+
+    def status_of(self, name: str, value: float) -> int:
+        """What the unit answers to an input."""
+        place, number = (fmi2.fmi2ValueReference * 1)(self.places[name]), (fmi2.fmi2Real * 1)(value)
+        return self.slave.dll.fmi2SetReal(self.slave.component, place, 1, number)
+
 
 @pytest.fixture
 def units(made: Made) -> Iterator[tuple[Unit, Unit]]:
@@ -81,7 +92,7 @@ def units(made: Made) -> Iterator[tuple[Unit, Unit]]:
 
 
 def way(table: TorqueMap, count: int) -> dict[str, Array]:
-    """Inputs that wander through the table, the speed through 0 too."""
+    """Inputs that wander through the table, the speed to both sides and at last at rest."""
     rng = np.random.default_rng(11)
     found = {}
     for name in INPUTS:
@@ -90,6 +101,7 @@ def way(table: TorqueMap, count: int) -> dict[str, Array]:
         found[name] = low + (high - low) * (walk - walk.min()) / np.ptp(walk)
     middle = np.median(found["speed"])
     found["speed"] = np.where(np.arange(count) % 2, -1.0, 1.0) * np.abs(found["speed"] - middle)
+    found["speed"][-1] = 0.0
     low, high = table.axes["temperature"][[0, -1]]
     found["temperature"] = np.linspace(low, high, 3)[rng.integers(3, size=count)]  # each takes a function of its own
     return found
@@ -117,9 +129,9 @@ def test_a_thousand_steps_have_the_torque_within_the_stated_error(made: Made, un
     assert (low < torque).all()
     assert (torque < high).all()
     np.testing.assert_allclose(power, torque * np.abs(inputs["speed"]), rtol=1e-14)
-    # the same straight lines a second time, by NumPy
+    # the same straight lines a second time, by SciPy
     for part, values in zip(made.table.torque, (low, torque, high), strict=True):
-        again = interpolated([*made.table.axes.values()], part, [*points.values()])
+        again = RegularGridInterpolator([*made.table.axes.values()], part)(np.stack([*points.values()], axis=1))
         np.testing.assert_allclose(values, again, rtol=1e-12)
 
 
@@ -156,17 +168,57 @@ def test_two_instances_do_not_mix(units: tuple[Unit, Unit]) -> None:
     assert second.take("speed", "axial_load") == [170.0, 880.0]
 
 
-@pytest.mark.parametrize("given", [{"speed": 400.0}, {"axial_load": 20.0}, {"temperature": 350.0}, {"speed": np.nan}])
-def test_an_input_outside_the_table_is_an_error_and_no_number(
-    units: tuple[Unit, Unit], given: dict[str, float]
+@pytest.mark.parametrize(
+    ("name", "beyond", "number"),
+    [
+        ("speed", 315.0, 1),
+        ("speed", -400.0, 1),
+        ("axial_load", 20.0, 2),
+        ("axial_load", 1e4, 2),
+        ("temperature", 350.0, 4),
+    ],
+)
+def test_beyond_the_table_its_last_torque_holds_with_a_flag_and_one_warning(
+    made: Made, units: tuple[Unit, Unit], name: str, beyond: float, number: int
 ) -> None:
-    unit = units[0]
-    inside = dict(zip(given, unit.take(*given), strict=True))
-    unit.give(**given)
+    unit, place = units[0], units[0].places[name]
+    (inside,) = unit.take(name)
+    low, high = made.table.axes[name][[0, -1]].tolist()
+    assert unit.outside == 0
+    unit.give(**{name: low if beyond == 20.0 else high})
+    (torque,) = unit.take("torque")
+    assert unit.outside == 0
+    assert unit.status_of(name, beyond) == WARNING
+    assert unit.status_of(name, 1.001 * beyond) == OK  # it has left the table before
+    assert unit.take("torque", name) == [torque, 1.001 * beyond]
+    assert unit.take("power")[0] == pytest.approx(torque * abs(unit.take("speed")[0]), rel=1e-14)
+    assert unit.outside == number
+    assert f"{number}: {name} is outside its table, " in made.description.modelVariables[-1].description
+    unit.give(**{name: inside})
+    assert unit.outside == 0
+    assert unit.status_of(name, beyond) == WARNING
     with pytest.raises(Exception, match="status 3"):
-        unit.take("torque")
-    unit.give(**inside)
-    assert unit.take("torque")[0] > 0
+        unit.slave.setReal([place], [np.nan])
+    assert unit.take(name) == [beyond]
+
+
+def test_a_run_beyond_the_table_goes_on(made: Made, capsys: pytest.CaptureFixture[str]) -> None:
+    """From 0 to 400 rad/s in 2 s; the table ends at 314 rad/s."""
+    time = np.linspace(0.0, 2.0, 41)
+    given = np.array([*zip(time, 200.0 * time, strict=True)], dtype=[("time", float), ("speed", float)])
+    found = fmpy.simulate_fmu(
+        str(made.file),
+        stop_time=2.0,
+        output_interval=0.05,
+        input=given,
+        output=["torque", "outside", "speed"],
+    )
+    beyond = found["speed"] > made.table.axes["speed"][-1]
+    assert found["time"][-1] == pytest.approx(2.0)
+    np.testing.assert_array_equal(found["outside"] == 1, beyond)
+    assert np.ptp(found["torque"][beyond]) == 0
+    logged = [line for line in capsys.readouterr().out.splitlines() if line.startswith("[")]  # FMPy prints it
+    assert [line.partition(" to ")[0] for line in logged] == ["[WARNING] speed is outside its table, 0 rpm"]
 
 
 def test_a_constant_and_an_output_cannot_be_set(units: tuple[Unit, Unit]) -> None:
@@ -174,16 +226,6 @@ def test_a_constant_and_an_output_cannot_be_set(units: tuple[Unit, Unit]) -> Non
     for name in ("radial_load", "torque"):
         with pytest.raises(Exception, match="status 3"):
             units[0].give(**{name: 5.0})
-
-
-def test_standstill_has_the_breakaway_torque(made: Made, units: tuple[Unit, Unit]) -> None:
-    unit = units[0]
-    unit.give(
-        speed=0.0, axial_load=float(made.table.axes["axial_load"][1]), temperature=made.table.axes["temperature"][1]
-    )
-    torque, power = unit.take("torque", "power")
-    assert torque == pytest.approx(made.table.nominal[0, 1, 0, 1], rel=1e-13)
-    assert power == 0.0
 
 
 def test_the_file_is_small_and_the_same_each_time(made: Made, tmp_path: Path) -> None:

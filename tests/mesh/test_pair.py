@@ -267,15 +267,6 @@ def test_extending_adds_cells_around_a_block_and_moves_none(recipe: str) -> None
         assert not set(cut.far) & set(cut.touching)
 
 
-def test_a_mesh_with_a_folded_cell_is_refused() -> None:
-    """In one line, with the cell and a remedy; the solver would return a number for such a mesh."""
-    recipe = load_recipe("race")
-    wide = replace(recipe, patch=replace(recipe.patch, core_size=1.7))  # a core beyond its own contact's edge
-    with pytest.raises(InputError, match=r"cell \d+ of the ball.* inside out at .* recipe race") as caught:
-        pair_mesh(OUTER, recipe=wide, level=2, semi_axes=SEMI_AXES["outer"])
-    assert "\n" not in str(caught.value)
-
-
 @pytest.mark.parametrize("level", [1, 2])
 def test_the_flat_ball_has_the_columns_and_the_layers_of_the_ball(level: int) -> None:
     """Upside down it is a lower body: column by column both have the same places, and depths on the load's axis."""

@@ -1,5 +1,7 @@
-"""Results made by hand: each number is known and unlike all others."""
+"""Results made by hand: each number is known and unlike all others; and torques of scenes of all kinds."""
 
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -7,6 +9,8 @@ import numpy as np
 from analytic.columns import OF_CAGE, OF_MOTION, Point, rows_of
 from analytic.prediction.duty import DutyCycle, DutyStep, Estimate
 from analytic.rows import OperatingPoint
+from analytic.scene_torque import SceneTorque, torque_of_scene
+from analytic.scenefile.read import load_scene
 from fembearing import grid_convergence
 from fembearing.check.comparison import Comparison, compared
 from fembearing.check.contact.load_series import LoadPoint, LoadSeries, StiffnessLaw
@@ -279,3 +283,32 @@ STRESS = SubsurfaceComparison(
         )
     ),
 )
+
+
+RIG = str(Path(__file__).parents[2] / "validation/scenes/thrust_rig_3mm.toml")
+SCENES: dict[str, tuple[str, dict[str, Any], dict[str, Any]]] = {  # name, what is given, and how it is computed
+    "dry": ("6205-dry", {}, {}),
+    "paper": ("paper_6205", {"settings": {"report.units": "inch", "effects.cage_dynamics": "off"}}, {}),
+    "radial": ("6206", {"radial_load": "2 kN", "speed": "1500 rpm"}, {"samples": 128}),
+    "sealed": ("6204-2RS", {"radial_load": "300 N", "speed": "5000 rpm", "supply": "grease"}, {}),
+    "pair": (
+        "7014C",
+        {"speed": "12000 rpm", "supply": "grease", "axial_load": "400 N"}
+        | {"settings": {"arrangement.kind": "O", "arrangement.preload": "300 N"}},
+        {},
+    ),
+    "thrust": (RIG, {"axial_load": "9 N", "speed": "500 rpm"}, {}),
+    "tilted": ("6309", {"radial_load": "3 kN", "speed": "2900 rpm", "settings": {"operation.moment": "20 N m"}}, {}),
+    "series": (
+        "7206B",
+        {"axial_load": ["100 N", "900 N", "200 kN"], "radial_load": "500 N", "speed": "3000 rpm"},
+        {"keep_going": True},
+    ),
+}
+
+
+@cache
+def torque_of(name: str) -> SceneTorque:
+    """The torque of one of these scenes."""
+    designation, given, how = SCENES[name]
+    return torque_of_scene(load_scene(designation, **given), **how)

@@ -61,36 +61,24 @@ def test_the_folder_is_open_to_those_whom_the_umask_lets_in(tmp_path: Path) -> N
     assert stat.S_IMODE((tmp_path / "new").stat().st_mode) == 0o750
 
 
-@pytest.mark.parametrize("kind", ["folder", "file", "dangling link"])
-def test_what_exists_is_not_overwritten(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
-    def never(*_: object, **__: object) -> None:
-        raise AssertionError("computed before the folder was looked at")
-
-    monkeypatch.setattr(module, "check_scene", never)
+@pytest.mark.parametrize("kind", ["folder", "file", "dangling link", "no folder above", "a file above"])
+def test_a_folder_that_cannot_be_made_is_refused_before_anything_is_computed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
+    monkeypatch.setattr(module, "check_scene", None)  # would not be called
     out = tmp_path / "there"
     if kind == "folder":
         out.mkdir()
-    elif kind == "file":
+    elif kind in ("file", "a file above"):
         out.write_text("mine")
-    else:
+    elif kind == "dangling link":
         out.symlink_to(tmp_path / "nowhere")
-    with pytest.raises(InputError, match=r"there.* exists already"):
-        validate(load_scene("6205-dry"), out=out)
-    assert [path.name for path in tmp_path.iterdir()] == ["there"]
-
-
-@pytest.mark.parametrize("out", ["missing/report", "file/report"])
-def test_a_folder_that_cannot_be_made_is_refused_first(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, out: str
-) -> None:
-    def never(*_: object, **__: object) -> None:
-        raise AssertionError("computed before the folder was looked at")
-
-    monkeypatch.setattr(module, "check_scene", never)
-    (tmp_path / "file").write_text("mine")
-    with pytest.raises(InputError, match="cannot be made in") as refusal:
-        validate(load_scene("6205-dry"), out=tmp_path / out)
+    before = [*tmp_path.iterdir()]
+    above = kind.endswith("above")
+    with pytest.raises(InputError, match="cannot be made in" if above else r"there.* exists already") as refusal:
+        validate(load_scene("6205-dry"), out=out / "report" if above else out)
     assert "\n" not in str(refusal.value)
+    assert [*tmp_path.iterdir()] == before
 
 
 @pytest.mark.parametrize("where", ["check_scene", "report_page"])

@@ -9,13 +9,12 @@ from rich.console import Console
 
 from analytic.scene_torque import SceneTorque, torque_of_scene, with_interval
 from analytic.scenefile.read import load_scene
-from fembearing.report.document import Section, Table
+from fembearing.report.document import Table
 from fembearing.report.sections.headline import (
     declared_by,
     film_words,
     headline_section,
     headline_table,
-    side_by_side,
     split_of,
     torque_headline,
 )
@@ -32,25 +31,6 @@ def lines_of(result: SceneTorque) -> list[str]:
     out = StringIO()
     print_sections(Console(file=out, width=80), [headline_section(result)])
     return out.getvalue().splitlines()
-
-
-def test_it_has_torque_interval_power_and_verdict(result: SceneTorque) -> None:
-    lines, total = lines_of(result), float(result.friction.torque.total[0])
-    assert lines[0].startswith("6206, radial 2000 N, 1500 rpm, ISO VG 46")  # a load of 0 is no word
-    low, high = (1e3 * float(end) for (end,) in present(result.interval))
-    row = lines[3].split()
-    assert row[:5] == ["1", "1500", f"{1e3 * total:.4g}", f"{low:.3g}-{high:.3g}", f"{total * 50 * np.pi:.3g}"]
-    assert lines[-1].startswith(f"{result.standing.word}: ")
-    assert max(map(len, lines)) <= 80
-    assert len(lines) <= 12
-
-
-def test_the_headline_in_words_is_the_printed_one(result: SceneTorque) -> None:
-    printed, words = " ".join(" ".join(lines_of(result)).split()), torque_headline(result)
-    for said in (words.title, words.torque, words.interval, words.power, words.split, words.film, words.makers):
-        assert said in printed
-    assert printed.endswith(f"{words.verdict}: {words.reason}")
-    assert f"torque, {words.unit}" in printed
 
 
 def test_the_interval_may_come_later(result: SceneTorque) -> None:
@@ -77,14 +57,6 @@ def test_numbers_of_the_headline_have_no_power_of_ten_and_no_part_of_0_per_cent(
     for lines in (lines_of(result), lines_of(fast)):
         assert " 0 %" not in lines[3]
         assert "e-" not in " ".join(lines)
-
-
-def test_scenes_side_by_side_have_one_row_each(result: SceneTorque) -> None:
-    names = ("spindle-6206.toml", "b.toml")
-    table = side_by_side(dict.fromkeys(names, result))
-    out = StringIO()
-    print_sections(Console(file=out, width=80), [Section("", [table])])
-    assert [line.split()[0] for line in out.getvalue().splitlines()[3:5]] == list(names)
 
 
 def cells_of(table: Table) -> list[list[str]]:

@@ -11,7 +11,6 @@ from analytic.words import rounded
 from fembearing.report.phrases import angle_cell, between, digits, input_name, listed, shown
 from fembearing.report.sections.inputs import value_of
 from fembearing.report.sections.limits import worst_of
-from fembearing.report.sections.points import loads_of, present_loads, varying_loads
 
 
 def test_every_uncertain_input_has_a_name() -> None:
@@ -71,14 +70,3 @@ def test_a_limit_is_a_pressure_or_a_share() -> None:
     assert worst_of(replace(usual, value=-2e-6, unit="1")) == "-0.0002 %"
     assert worst_of(replace(usual, value=None, verdict="fail")) == "infinite"
     assert worst_of(replace(usual, value=None, verdict="unknown")) == "unknown"
-
-
-def test_loads_are_named_where_they_are_and_told_apart_where_they_differ() -> None:
-    one = {"inner_speed": 30.0, "axial_load": 700.0, "radial_load": 0.0, "moment": 0.0}
-    two = one | {"moment": 1.5, "axial_load": 300.0}
-    assert present_loads([one]) == ["axial_load"]
-    assert present_loads([one, two]) == ["axial_load", "moment"]
-    assert varying_loads([one, two]) == ["axial_load", "moment"]
-    assert varying_loads([two, two]) == []
-    assert loads_of(two, ["axial_load", "moment"]) == "300 N axial, 1500 N mm moment"
-    assert loads_of(one, ["radial_load"]) == "0 N radial"

@@ -13,7 +13,6 @@ from fembearing.check.cage_record import record_cage
 from fembearing.check.validation import Validation
 from fembearing.plain_types import plain
 from fembearing.report.figures.page_plots import PLOTS
-from fembearing.report.folder import report_page
 from fembearing.report.report import Report, report_of
 from tests.analytic.scenefile.scene_texts import MOVING
 from tests.analytic.specimens import present
@@ -40,16 +39,8 @@ def test_what_is_written_is_json_of_finite_numbers_with_the_scene_once(document:
 def test_every_plot_is_drawn_from_the_document(document: Report) -> None:
     for plot in PLOTS:
         figure, caption = plot.draw(document)
+        if plot.section == "inputs":
+            assert (figure, caption) == (None, ""), "its surface is not measured"
+            continue
         assert figure is not None
         assert caption.endswith(".")
-
-
-def test_the_page_begins_with_the_torque_and_its_interval(document: Report) -> None:
-    point = present(document.solved).points[0]
-    total = 1e3 * present(point["torque_total"])
-    low, high = (f"{1e3 * present(point[name]):.3g}" for name in ("interval_low", "interval_high"))
-    text = report_page(document)
-    begin = text.partition("Bearing and operation")[0]
-    assert f">{total:.4g}</td>" in begin
-    assert f">{low}-{high}</td>" in begin
-    assert f'<td class="number">{low}-{high}</td>' in text

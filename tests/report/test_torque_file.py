@@ -3,18 +3,16 @@
 import csv
 import json
 import re
-from dataclasses import replace
-from io import BytesIO, StringIO
+from io import StringIO
 from pathlib import Path
 
 import numpy as np
 import pytest
-from matplotlib.image import imread
 
 from analytic.columns import COLUMNS
 from analytic.errors import InputError
 from analytic.scene_torque import SceneTorque, torque_of_scene
-from analytic.scenefile.read import load_scene, parse_scene
+from analytic.scenefile.read import parse_scene
 from fembearing import cli
 from fembearing.plain_types import plain
 from fembearing.report import torque_folder
@@ -103,33 +101,6 @@ def test_the_page_needs_nothing_else_and_shows_markup_as_text() -> None:
         assert f'<td class="number">{total * 1e3:#.4g}</td>' in page
 
 
-def test_the_page_has_the_verdict_the_interval_and_the_units_of_the_headline() -> None:
-    result = torque_of_scene(load_scene("6206", radial_load="2 kN", speed="12000 rpm"))
-    inch = replace(result.scene, report=replace(result.scene.report, units="inch"))
-    page = CONTENTS[".html"](replace(result, scene=inch)).decode()
-    assert f'<p class="overall {result.standing.word}">' in page
-    low, high = (float(end) / (4.4482216152605 * 0.0254) for (end,) in present(result.interval))
-    assert f"{low:.3g}-{high:.3g}" in page
-    assert "torque, lbf in" in page
-    assert "N mm" not in page.partition("<h2>Effects")[0]  # keys to give have examples in metric units
-
-
-@pytest.mark.parametrize(
-    ("load", "speed", "tall"),
-    [
-        ('"700 N"', '"500 rpm"', False),
-        ('"700 N"', '["500 rpm", "900 rpm"]', True),
-        ('["700 N", "300 N", "90 N"]', '"500 rpm"', True),
-        ('["700 N", "300 N"]', '["500 rpm", "0 rpm"]', False),
-    ],
-)
-def test_the_figure_is_as_wide_for_any_series(load: str, speed: str, tall: bool) -> None:
-    text = changed('"700 N"', load, changed(SPEEDS, speed, OILED))
-    height, width, _ = imread(BytesIO(CONTENTS[".png"](torque_of_scene(parse_scene(text, origin="here"))))).shape
-    assert width == 883  # 4.6 inches of 192 dots
-    assert (height > 0.9 * width) == tall  # over an axis; else as high as its bars
-
-
 @pytest.mark.parametrize(
     ("name", "said"),
     [
@@ -178,13 +149,6 @@ def test_nothing_is_left_of_a_file_that_fails_or_comes_too_late(
         torque_with_files(result.scene, out=target)
     assert [path.name for path in tmp_path.iterdir()] == ["my.csv"]
     assert target.read_text() == "somebody's"
-
-
-def test_a_content_is_that_of_its_ending(result: SceneTorque) -> None:
-    assert torque_content(result, ending=".csv").startswith(b"point,")
-    assert json.loads(torque_content(result, ending=".json"))["kind"] == "fembearing torque"
-    with pytest.raises(InputError, match=r"'\.doc'.*\.csv"):
-        torque_content(result, ending=".doc")
 
 
 def test_the_balls_of_a_series_have_the_range_of_their_angles() -> None:

@@ -3,7 +3,6 @@
 import json
 import subprocess
 import sys
-from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
@@ -158,10 +157,3 @@ def test_a_torque_without_a_moving_cage_loads_nothing_that_packs_or_renders(tmp_
 def test_a_cage_in_a_bearing_at_rest_has_no_series_for_nothing_turns(tmp_path: Path) -> None:
     still = torque_of_scene(parse_scene(MOVING.replace('"500 rpm"', '"0 rpm"'), origin="here"))
     assert present(write_torque(still, tmp_path)).endswith("no series, plot or picture of it: nothing turns")
-
-
-@dataclass(frozen=True)
-class Recorded:
-    """A motion that was kept."""
-
-    point: int

@@ -1,10 +1,12 @@
 """Sweeps from beginning to end: numbers, units, failures, and continuing after a stop."""
 
+import os
 import re
 import shutil
 import sys
 from collections.abc import Callable
 from dataclasses import replace
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +23,7 @@ from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.run import run_sweep
 from fembearing.sweep.store import opened_store
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
+from tests.refusals import refused
 from tests.sweep.swept import SCENE
 from tests.traction_packages import install
 
@@ -93,29 +96,82 @@ def test_an_interrupted_sweep_continues(grid_file: Write, tmp_path: Path, in_pro
     for file, stat in files.items():
         assert (file.stat().st_ino, file.stat().st_mtime_ns) == (stat.st_ino, stat.st_mtime_ns)
     assert found.to_dataset().drop_attrs().identical(whole.drop_attrs())
-    written = (out / "sweep.nc").stat().st_ino
     again = run_sweep(path, out=out)
-    assert (again.computed, again.kept, again.failed) == (0, 48, 0)
-    assert (len(in_process), (out / "sweep.nc").stat().st_ino) == (6, written)
+    assert (again.computed, again.kept, again.failed, len(in_process)) == (0, 48, 0, 6)
     assert list(again.to_dataset("torque_total", "nothing").data_vars) == ["torque_total"]
 
 
+DAMAGE: dict[str, Callable[[bytes], bytes]] = {
+    "cut, as by a power failure": lambda content: content[:-1],
+    "longer by a number": lambda content: content + bytes(8),
+    "numbers alone": lambda content: content.partition(b"\n")[2],
+    "an unknown column": lambda content: content.replace(b'"failure"', b'"failures"'),
+    "a column of words more": lambda content: content.replace(b'"failure"', b'"verdict": ["pass"], "failure"'),
+    "fewer words": lambda content: content.replace(b'["", ', b"[", 1),
+    "a number for a word": lambda content: content.replace(b'[""', b"[7", 1),
+    "a text for words": lambda content: re.sub(rb"\[[^]]*\]", b'"text"', content, count=1),
+    "what a terminal would obey": lambda content: content.replace(b'[""', b'["\\u001b[2J"', 1),
+    "endless brackets": lambda _: b"[" * 100_000,
+    "endless digits": lambda content: content.replace(b'[""', b"[" + b"7" * 9000, 1),
+}
+
+
 @pytest.mark.usefixtures("short_pieces")
-def test_missing_files_of_a_folder_are_computed_again(grid_file: Write, tmp_path: Path, in_process: list[Any]) -> None:
-    path, out = grid_file(AXES), tmp_path / "out"
+def test_damaged_files_of_a_folder_are_computed_again(grid_file: Write, tmp_path: Path, in_process: list[Any]) -> None:
+    axes = f"friction.coefficient = {[0.01 * number for number in range(3, len(DAMAGE) + 6)]}\n"
+    path, out = grid_file(axes + 'operation.axial_load = ["200 N", "500 N"]'), tmp_path / "out"
     whole = run_sweep(path, out=out).to_dataset()
-    first, second, *_ = sorted((out / "parts").iterdir())
-    first.write_bytes(first.read_bytes()[:900])  # as a power failure leaves it
-    second.unlink()
-    found = run_sweep(path, out=out)
-    assert (found.computed, found.kept, len(in_process)) == (16, 32, 8)
-    assert found.to_dataset().drop_attrs().identical(whole.drop_attrs())
-    assert [file.name for file in out.rglob(".*")] == [".lock"]
-    (out / "sweep.nc").write_bytes(b"")
+    missing, huge, changed, *others = sorted((out / "parts").iterdir())
+    missing.unlink()
+    os.truncate(huge, 3 * 10**9)  # of nothing
+    changed.write_bytes(changed.read_bytes()[:-1] + b"7")
+    for damage, file in zip(DAMAGE.values(), others, strict=True):  # by somebody who knows how it begins
+        before = file.read_bytes()[32:]
+        after = damage(before)
+        assert after != before
+        file.write_bytes(sha256(after).digest() + after)
+    in_process.clear()
+    (out / "sweep.nc").write_bytes(b"of another program")
     assert run_sweep(path, out=out).to_dataset().drop_attrs().identical(whole.drop_attrs())
-    (out / "sweep.json").write_text('{"made_from": 3}', "utf-8")
-    with pytest.raises(InputError, match=r"sweep\.json in it is damaged; give a new name, or remove the folder"):
-        run_sweep(path, out=out)
+    assert len(in_process) == len(DAMAGE) + 3
+    assert [file.name for file in out.rglob(".*")] == [".lock"]
+
+
+@pytest.mark.usefixtures("in_process")
+@pytest.mark.parametrize("text", ['{"made_from": 3}', "[]", "7", '{"made_from"', "[" * 100_000, "7" * 9000, "\0"])
+def test_a_damaged_description_of_a_sweep_is_one_line(grid_file: Write, tmp_path: Path, text: str) -> None:
+    path, out = grid_file('operation.axial_load = ["200 N", "500 N"]'), tmp_path / "out"
+    out.mkdir()
+    (out / "sweep.json").write_text(text, "utf-8")
+    refused(lambda: run_sweep(path, out=out), "sweep.json in it is damaged; give a new name, or remove the folder")
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no pipes in folders")
+@pytest.mark.usefixtures("in_process")
+@pytest.mark.parametrize("name", [".lock", "sweep.json", "sweep.nc", "parts"])
+@pytest.mark.parametrize("kind", ["file", "folder", "nothing", "pipe"])
+def test_what_has_one_of_our_names_and_is_not_ours_is_neither_followed_nor_waited_for(
+    grid_file: Write, tmp_path: Path, name: str, kind: str
+) -> None:
+    """A folder that others prepared: links to a file, to a folder and to nothing, and a pipe that nobody writes."""
+    path, out, victim = grid_file('operation.axial_load = ["200 N", "500 N"]'), tmp_path / "out", tmp_path / "victim"
+    out.mkdir()
+    os.mkfifo(out / ".fembearing-0123abcd")
+    if kind == "pipe":
+        os.mkfifo(out / name)
+    else:
+        (out / name).symlink_to(victim)
+    if kind == "file":
+        victim.write_text("precious", "utf-8")
+    elif kind == "folder":
+        victim.mkdir()
+    refused(lambda: run_sweep(path, out=out), f"{name!r} in it is not of a sweep", "give a new name")
+    if kind == "file":
+        assert victim.read_text("utf-8") == "precious"
+    else:
+        assert not victim.exists() or not [*victim.iterdir()]
+    (out / name).unlink()
+    assert run_sweep(path, out=out).computed == 2
 
 
 @pytest.mark.usefixtures("in_process")

@@ -1,17 +1,18 @@
-"""Workers that are killed, here and on a cluster elsewhere: no result is lost, and no process remains."""
+"""Processes that are killed, here and on a cluster: no result is lost, no process remains, and no port is open."""
 
+import asyncio
 import gc
-import multiprocessing
 import operator
 import os
-import re
+import shutil
 import signal
 import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import closing, suppress
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from threading import Thread
@@ -19,14 +20,18 @@ from typing import Any
 
 import dask.config
 import distributed
+import psutil
 import pytest
+from distributed import Security
 
-from analytic.errors import FembearingError, InputError
+from analytic.errors import InputError, ResourceError
 from fembearing.sweep import cluster, parts
-from fembearing.sweep.cluster import LostWorkerError, each_done
+from fembearing.sweep.cluster import each_done
 from fembearing.sweep.grid import load_grid
 from fembearing.sweep.parts import Piece
+from fembearing.sweep.processes import LostWorkerError
 from fembearing.sweep.run import run_sweep
+from tests.refusals import refused
 from tests.sweep.conftest import one_by_one
 
 Write = Callable[..., Path]
@@ -35,92 +40,72 @@ SCENES = "friction.coefficient = { from = 0.02, to = 0.13, count = 64 }\n"
 EACH = 8  # scenes in a piece, so that there are 8
 PATIENCE = 300.0  # s, for what takes a few; only a test that fails waits so long
 ONE_TRY = ("distributed.scheduler.allowed-failures", 0)  # before a task runs alone: fewer processes to start
+DEADLY = partial(os._exit, 3)
 
 
-def wait_until(holds: Callable[[], bool]) -> None:
+def children(of: int | None = None) -> list[psutil.Process]:
+    """The processes that compute for one, by default for this one."""
+    return [each for each in psutil.Process(of).children() if "fembearing.sweep.processes" in each.cmdline()]
+
+
+def all_end(processes: list[psutil.Process]) -> bool:
+    """Whether they end in time; one that nobody waits for stays in the system's list."""
     end = time.monotonic() + PATIENCE
-    while not holds():
-        assert time.monotonic() < end
-        time.sleep(0.02)
-
-
-def call(task: tuple[Any, ...]) -> Any:
-    function, *arguments = task
-    return function(*arguments)
-
-
-DEADLY = (os._exit, 3)
+    for each in processes:
+        with suppress(psutil.NoSuchProcess):
+            while each.status() != psutil.STATUS_ZOMBIE and time.monotonic() < end:
+                time.sleep(0.02)
+    return time.monotonic() < end
 
 
 def test_a_task_that_ends_its_process_is_reported_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(cluster.SETTINGS, *ONE_TRY)
-    monkeypatch.setattr(cluster, "_draws_dashboard", lambda: True)
     monkeypatch.setenv("OMP_NUM_THREADS", "3")
     monkeypatch.delenv("MKL_NUM_THREADS", raising=False)
-    before, dashboards = dict(os.environ), []
-    numbers = [(operator.neg, number) for number in range(40)]
-    names = [(os.getenv, name) for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS")]
-    found = dict(each_done(call, [*numbers, *names, DEADLY], workers=2, announce=dashboards.append))
+    before = dict(os.environ)
+    numbers = [partial(operator.neg, number) for number in range(40)]
+    names = [partial(os.getenv, name) for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS")]
+    found = dict(each_done(operator.call, [*numbers, *names, DEADLY], workers=2))
     assert [found.pop(name) for name in names] == ["3", "1"]  # the first as the user has set it
     assert dict(os.environ) == before
     assert isinstance(found.pop(DEADLY), LostWorkerError)
-    assert found == {(function, number): -number for function, number in numbers}
-    assert not multiprocessing.active_children()
-    assert len(dashboards) == 1
-    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/status", dashboards[0])
+    assert [found[task] for task in numbers] == [-number for number in range(40)]
+    assert children() == []
 
 
-def hoard() -> None:
-    """Take 1 GB."""
-    taken = b"x" * 10**9
-    time.sleep(PATIENCE)
-    del taken
+def test_what_a_task_prints_is_no_result_and_what_it_raises_is_raised(capfd: pytest.CaptureFixture[str]) -> None:
+    tasks = [partial(print, "aside"), partial(operator.truediv, 5, 0)]
+    results = each_done(operator.call, tasks, workers=1)
+    assert next(results) == (tasks[0], None)
+    with pytest.raises(ZeroDivisionError):
+        next(results)
+    assert capfd.readouterr() == ("", "aside\n")
+    assert children() == []
 
 
-@pytest.mark.slow
-def test_a_process_that_takes_too_much_memory_is_ended_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(cluster.SETTINGS, *ONE_TRY)
-    monkeypatch.setattr(cluster, "MEMORY", "800MB")  # less than `hoard` takes, more than a process does at rest
-    announced = []
-    found = dict(each_done(call, [(operator.neg, 7), (hoard,)], workers=1, announce=announced.append))
-    assert found[operator.neg, 7] == -7
-    assert isinstance(found[hoard,], LostWorkerError)
-    assert not announced or cluster._draws_dashboard()
-
-
-UNGUARDED = """
-import sys
-import fembearing
-fembearing.run_sweep(sys.argv[1], out=sys.argv[2])
-"""
-
-
-@pytest.mark.parametrize(("workers", "expected"), [(None, 5), (3, 3), (40, 7)])
+@pytest.mark.parametrize(("workers", "expected"), [(None, 2), (3, 3), (40, 4)])
 def test_there_is_a_process_for_each_core_unless_a_number_is_given(
     monkeypatch: pytest.MonkeyPatch, workers: int | None, expected: int
 ) -> None:
     """And never more of them than tasks."""
-    asked: list[int] = []
-
-    def start(**options: Any) -> None:
-        asked.append(options["n_workers"])
-        raise RuntimeError("they end at once")
-
-    monkeypatch.setattr("distributed.LocalCluster", start)
-    monkeypatch.setattr("dask.system.CPU_COUNT", 5)
-    with pytest.raises(FembearingError, match="end as soon as they start"):
-        next(each_done(operator.neg, range(7), workers=workers))
-    assert asked == [expected]
+    monkeypatch.setattr(cluster, "cores", lambda: 2)
+    tasks = [partial(os.getpid) for _ in range(4)]
+    assert len({number for _, number in each_done(operator.call, tasks, workers=workers)}) == expected
 
 
-@pytest.mark.slow
-def test_a_script_without_a_guard_ends_with_the_line_that_it_lacks(grid_file: Write, tmp_path: Path) -> None:
-    script = tmp_path / "script.py"
-    script.write_text(UNGUARDED, "utf-8")
-    command = [sys.executable, str(script), str(grid_file(SERIES + SCENES)), str(tmp_path / "out")]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
-    assert done.returncode == 1
-    assert done.stderr.splitlines()[-1].endswith('begin a script of your own with if __name__ == "__main__":')
+def test_no_port_is_open_while_tasks_are_computed() -> None:
+    before = psutil.Process().net_connections("all")
+    with closing(each_done(operator.call, [partial(os.getpid), partial(time.sleep, PATIENCE)], workers=2)) as results:
+        _, first = next(results)
+        assert first in [each.pid for each in children()]
+        assert [each.net_connections("all") for each in children()] == [[], []]
+        assert psutil.Process().net_connections("all") == before
+
+
+def test_processes_that_cannot_start_are_one_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "numpy.py").write_text("raise SystemExit(1)", "utf-8")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    with pytest.raises(ResourceError, match="end as soon as they start; free some memory: finished points are kept"):
+        next(each_done(operator.neg, [7], workers=1))
 
 
 def test_a_worker_killed_once_costs_only_time_and_no_number(
@@ -132,7 +117,7 @@ def test_a_worker_killed_once_costs_only_time_and_no_number(
 
     def kill_one(share: float, _step: str) -> None:
         if 0 < share < 1 and not killed:
-            killed.append(multiprocessing.active_children()[0])
+            killed.extend(children())
             killed[0].kill()
 
     found = run_sweep(path, out=tmp_path / "out", workers=1, progress=kill_one)
@@ -151,12 +136,12 @@ def test_points_of_a_worker_that_dies_are_tried_again_next_time(
 
     def dying(function, tasks, **_):
         for piece in tasks:
-            yield piece, LostWorkerError("killed") if piece.start in deadly else function(piece)
+            yield piece, LostWorkerError() if piece.start in deadly else function(piece)
 
     monkeypatch.setattr("fembearing.sweep.run.each_done", dying)
     first = run_sweep(path, out=out)
     assert (first.computed, first.kept, first.lost, first.failed) == (14, 0, 7, 7)
-    assert set(first.to_dataset()["failure"].sel(coefficient=0.07).values) == {"killed"}
+    assert set(first.to_dataset()["failure"].sel(coefficient=0.07).values) == {str(LostWorkerError())}
     deadly.clear()
 
     def stop(_share: float, step: str) -> None:
@@ -202,7 +187,8 @@ def test_a_sweep_stopped_or_killed_in_the_middle_continues(
     path, out = grid_file(SERIES + SCENES), tmp_path / "out"
     command = [sys.executable, "-c", HOLDING, "sweep", str(path), "--out", str(out), "--workers", "1"]
     before: dict[Path, int] = {}
-    for count, stop in enumerate((signal.SIGINT, signal.SIGKILL), start=1):
+    stops = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGKILL: -signal.SIGKILL}
+    for count, (stop, status) in enumerate(stops.items(), start=1):
         with subprocess.Popen(
             command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
         ) as process:
@@ -210,35 +196,46 @@ def test_a_sweep_stopped_or_killed_in_the_middle_continues(
             assert process.stdout.readline() == "holding\n"
             with pytest.raises(InputError, match="another sweep is at work there"):
                 run_sweep(path, out=out)
-            if stop is signal.SIGINT:
-                os.killpg(process.pid, stop)  # as a terminal does: to the workers too
-            else:
-                process.kill()
+            at_work = children(process.pid)
+            assert len(at_work) == 1
+            os.killpg(process.pid, stop)  # as a terminal does
             output, complaint = process.communicate(timeout=PATIENCE)
-            assert output == ""
-        if stop is signal.SIGINT:
-            assert process.returncode == 130
-            words = f"fembearing: stopped; finished points are in {out}; the same command continues"
-            assert complaint.split() == words.split()  # and no progress where there is no terminal
-        wait_until(lambda: not lives(process.pid))  # its workers end with it
+        assert (process.returncode, output) == (status, "")
+        words = f"fembearing: stopped; finished points are in {out}; the same command continues"
+        # And no progress where there is no terminal
+        assert complaint.split() == (words.split() if stop is signal.SIGINT else [])
+        assert all_end(at_work)
         assert all(file.stat().st_mtime_ns == moment for file, moment in before.items())
-        before = {file: file.stat().st_mtime_ns for file in (out / "parts").glob("[0-9]*.npz")}
+        before = {file: file.stat().st_mtime_ns for file in (out / "parts").glob("[0-9]*")}
         assert len(before) == count * HELD
 
     monkeypatch.setattr(parts, "MOST_SCENES", EACH)
     result = run_sweep(path, out=out)
-    assert (result.kept, result.computed) == (56 * 2 * HELD, 448 - 56 * 2 * HELD)
-    assert len(in_process) == 8 - 2 * HELD
+    assert (result.kept, result.computed) == (56 * 3 * HELD, 448 - 56 * 3 * HELD)
+    assert len(in_process) == 8 - 3 * HELD
     assert all(file.stat().st_mtime_ns == moment for file, moment in before.items())
 
 
-def lives(group: int) -> bool:
-    """Whether a process of the group is alive."""
-    try:
-        os.killpg(group, 0)
-    except ProcessLookupError:
-        return False
-    return True
+BUSY = """
+import operator, time
+from functools import partial
+from fembearing.sweep.cluster import each_done
+
+for task, _ in each_done(operator.call, [partial(time.sleep, 0), partial(time.sleep, 900)], workers=2):
+    print("busy", flush=True)
+"""
+
+
+@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_a_process_ends_in_the_middle_of_its_work_with_the_one_that_started_it(stop: signal.Signals) -> None:
+    with subprocess.Popen([sys.executable, "-c", BUSY], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == b"busy\n"
+        at_work = children(process.pid)
+        assert len(at_work) == 2
+        process.send_signal(stop)
+        process.communicate(timeout=PATIENCE)
+        assert all_end(at_work)
 
 
 class Unreadable:
@@ -248,7 +245,22 @@ class Unreadable:
         return import_module, ("nowhere",)
 
 
+@pytest.fixture
+def certified(tmp_path: Path) -> Iterator[None]:
+    """Dask configured with a certificate, the same for all."""
+    if (openssl := shutil.which("openssl")) is None:
+        pytest.skip("openssl makes the certificate")
+    files = {"cert": str(tmp_path / "cert.pem"), "key": str(tmp_path / "key.pem")}
+    made = ["-newkey", "rsa:2048", "-subj", "/CN=any", "-keyout", files["key"], "-out", files["cert"]]
+    subprocess.run([openssl, "req", "-x509", "-nodes", "-days", "2", *made], check=True, capture_output=True)
+    places = {f"{who}.{kind}": file for who in ("scheduler", "worker", "client") for kind, file in files.items()}
+    tls = {f"distributed.comm.tls.{key}": file for key, file in {"ca-file": files["cert"], **places}.items()}
+    with dask.config.set(tls):
+        yield
+
+
 @pytest.mark.slow
+@pytest.mark.usefixtures("certified")
 def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, in_process: list[Piece]
 ) -> None:
@@ -257,22 +269,31 @@ def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
     assert len(in_process) == 2
     options = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0", "silence_logs": "CRITICAL"}
     start: Any = distributed.LocalCluster
-    with dask.config.set(dict([ONE_TRY])), start(**options) as elsewhere:
+    with dask.config.set(dict([ONE_TRY])), start(**options, protocol="tls", security=Security()) as elsewhere:
         address = elsewhere.scheduler_address
+        with dask.config.set({"distributed.comm.tls.ca-file": None, "distributed.comm.tls.client.cert": None}):
+            refused(lambda: next(each_done(operator.neg, [7], scheduler=address)), "tls:// takes the certificates")
+        with dask.config.set({"distributed.comm.require-encryption": True}):
+            plain = address.replace("tls:", "tcp:")
+            refused(lambda: next(each_done(operator.neg, [7], scheduler=plain)), "tls:// takes the certificates")
         monkeypatch.setattr("fembearing.sweep.run.each_done", each_done)
         found = run_sweep(path, out=tmp_path / "cluster", scheduler=address)
-        tasks = [*((operator.neg, number) for number in range(4)), DEADLY]
+        tasks = [*(partial(operator.neg, number) for number in range(4)), DEADLY]
         with monkeypatch.context() as patch:
             own = os.getpid()
             versions = lambda _name: "0.0.7" if os.getpid() == own else "0.0.6"  # noqa: E731, to be sent by value
             patch.setattr(cluster, "version", versions)
             with pytest.raises(InputError, match=r"a worker has not fembearing 0\.0\.7 as here \(0\.0\.6\); install"):
-                list(each_done(call, tasks, scheduler=address))
+                list(each_done(operator.call, tasks, scheduler=address))
         with pytest.raises(InputError, match="cannot read what it is sent; its scheduler needs fembearing"):
-            list(each_done(call, [(operator.neg, Unreadable())], scheduler=address))
-        done = dict(each_done(call, tasks, scheduler=address))
-        going = each_done(call, [(operator.neg, 7), (time.sleep, 60)], scheduler=address)
-        assert next(going) == ((operator.neg, 7), -7)
+            list(each_done(operator.neg, [Unreadable()], scheduler=address))
+
+        async def in_a_notebook() -> dict[Any, Any]:
+            return dict(each_done(operator.call, tasks, scheduler=address))
+
+        done = asyncio.run(in_a_notebook())
+        going = each_done(operator.call, [tasks[3], partial(time.sleep, 60)], scheduler=address)
+        assert next(going) == (tasks[3], -3)
         elsewhere.close()
         with pytest.raises(InputError, match="the cluster went away; finished points are kept"):
             next(going)

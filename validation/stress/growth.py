@@ -26,7 +26,7 @@ from analytic.scenefile.template import scene_text as template
 from analytic.standing import worst_standing
 from fembearing.check.creep.scene_creep import creep_of
 from fembearing.check.film.scene_film import film_of
-from fembearing.report.files import compared_files, duty_files, film_files, write_all, write_creep
+from fembearing.report.files import compared_files, duty_files, solution_files, write_all, write_creep
 from validation.stress.damage import CYCLE, MEASURED
 from validation.stress.tab import tab
 
@@ -103,7 +103,7 @@ FUNCTIONS = {
     "friction_torque": Function(lambda scene, _: friction_torque(scene), 5e6),
     "solve_contact": Function(_contact, 50e6),
     "film": Function(
-        lambda scene, folder: write_all(film_files(film_of(scene, pair="outer", tolerance=LOOSE)), folder), 50e6
+        lambda scene, folder: write_all(solution_files(film_of(scene, pair="outer", tolerance=LOOSE)), folder), 50e6
     ),
     "creep": Function(lambda scene, folder: write_creep(creep_of(scene, tolerance=LOOSE), folder), 50e6),
     "compare": Function(_compare, 20e6),

@@ -37,7 +37,7 @@ def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contac
             raise InputError("the scene has no [cage], so there is no pocket: add an empty [cage] for the catalog's")
         return pocket_contact(scene.bearing, scene.cage, load=POCKET_LOAD if load is None else load)
     if load is not None:
-        require_non_negative(ball_load=load)
+        require_non_negative(load=load)
     with traced_to_load(scene, pair=pair, load=load):
         contact = heaviest_contact(scene, pair)
     return contact if load is None else replace(contact, load=float(load))  # a float32 would compute in its precision

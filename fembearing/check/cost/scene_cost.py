@@ -38,7 +38,8 @@ from analytic.rows import Count
 from analytic.scene import Array, Contact, Scene
 from analytic.sliding.ball import LEVELS as ELLIPSE_NODES
 from analytic.solve.solution import points_of, solved
-from analytic.surface.heightmap import FEWEST_POINTS, WIDEST, measure
+from analytic.surface.heightmap import WIDEST, measure
+from analytic.surface.map_data import FEWEST_POINTS
 from analytic.surface.moments import SpectralMoments
 from analytic.surface.roughness import generated_surface, spectral_moments
 from analytic.torque import friction_torque, loaded_balls_of

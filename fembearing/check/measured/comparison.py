@@ -3,6 +3,8 @@
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
+from itertools import chain
+from pathlib import Path
 from statistics import fmean, stdev
 from time import perf_counter
 from typing import TYPE_CHECKING, Annotated, Any, Unpack
@@ -49,7 +51,7 @@ class MeasuredComparison(Brief):
     seconds: NotNegative
     conclusions: tuple[str, ...]  # what the rows show, what is missed first
     notes: tuple[str, ...]  # what was taken from the scene, or is not known
-    warnings: tuple[str, ...]  # of the computed torque
+    warnings: tuple[str, ...]  # of the file and the computed torque
 
     def _facts(self) -> Iterator[str]:
         yield from (self.file, f"{self.inside} of {len(self.rows)} inside", f"E {self.mean_error:+.1%}")
@@ -102,8 +104,8 @@ def compare_measured(
     scene : Scene, str or path
         What a row of the measured torques does not say is that of the scene.
     data : str or path, optional
-        CSV file, each column with its unit (docs/how-to/compare-with-measurements.md); None: the measured torques of
-        the scene, which `analytic.load_scene` reads.
+        CSV or .xlsx file, each column with its unit (docs/how-to/compare-with-measurements.md); None: the measured
+        torques of the scene, which `analytic.load_scene` reads.
     samples : int, optional
         Number of torques that the intervals are computed from; None: 512 or more, as `analytic.predict`.
     seed : int
@@ -159,7 +161,7 @@ def compare_measured(
     mean_error, scatter = fmean(relative), stdev(relative) if len(relative) > 1 else None
     return MeasuredComparison(
         scene=scene.name,
-        file=measured.file,
+        file=Path(measured.file).name,
         rows=rows,
         inside=sum(row.verdict == "inside" for row in rows),
         mean_error=mean_error,
@@ -170,7 +172,7 @@ def compare_measured(
         seconds=perf_counter() - begun,
         conclusions=tuple(conclusions_of(rows, mean_error, scatter, shares)),
         notes=tuple(notes_of(measured, rows)),
-        warnings=tuple(dict.fromkeys(warning for each in predictions for warning in each.nominal.warnings)),
+        warnings=tuple(dict.fromkeys(chain(measured.warnings, *(each.nominal.warnings for each in predictions)))),
     )
 
 

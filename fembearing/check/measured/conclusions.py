@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
+from pathlib import Path
 
 from analytic.scene import MeasuredTorque
 from analytic.scenefile.columns import OPERATING
@@ -70,11 +71,12 @@ def _meaning(rows: Sequence[MeasuredRow], *, missed: bool) -> Iterator[str]:
 
 def notes_of(measured: MeasuredTorque, rows: Sequence[MeasuredRow]) -> Iterator[str]:
     """What was taken from the scene, and what the file lacks."""
+    file = Path(measured.file).name
     taken = [name.replace("_", " ") for name in OPERATING if getattr(measured, name) is None and getattr(rows[0], name)]
     if taken:
-        yield f"From the scene, without a column in {measured.file}: {', '.join(taken)}."
+        yield f"From the scene, without a column in {file}: {', '.join(taken)}."
     if measured.uncertainty is None:
-        yield f"{measured.file} has no column uncertainty: measured torques count as exact."
+        yield f"{file} has no column uncertainty: measured torques count as exact."
 
 
 def _listed(places: Sequence[int]) -> str:

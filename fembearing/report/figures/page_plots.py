@@ -16,6 +16,7 @@ from fembearing.report.figures.bearing import bearing_plot
 from fembearing.report.figures.cage import cage_plot
 from fembearing.report.figures.contacts import approach_plot, convergence_plot, pressure_plot
 from fembearing.report.figures.cost import cost_figures
+from fembearing.report.figures.height_map import height_map_plot
 from fembearing.report.figures.measured import measured_plot
 from fembearing.report.figures.prediction import prediction_plot
 from fembearing.report.figures.ring import ring_plot
@@ -28,7 +29,7 @@ from fembearing.report.sections.contacts import contact_place, contact_title
 PIXELS = 96  # of a page, per inch
 SENTENCE_END = re.compile(r"(?<=[.]) (?=[A-Z])")
 Section = Literal[  # of an appendix, or the summary's drawing of the bearing
-    "bearing", "torque", "measured", "contacts", "pictures", "meshes", "ring", "cage", "sensitivity", "cost"
+    "bearing", "inputs", "torque", "measured", "contacts", "pictures", "meshes", "ring", "cage", "sensitivity", "cost"
 ]
 
 
@@ -104,6 +105,7 @@ def _cost(document: Report) -> tuple[list[Figure], str]:
 PLOTS: tuple[Plot, ...] = (
     Plot(section="bearing", heading="The bearing to scale", draw=bearing_plot),
     Plot(section="contacts", heading="Stiffness: load over approach", draw=approach_plot),
+    Plot(section="inputs", heading="The measured surface", draw=height_map_plot),
     Plot(section="torque", heading="Torque by effect", draw=torque_plot),
     Plot(section="torque", heading="Friction, film and asperities", draw=friction_plot),
     Plot(section="torque", heading="95 % interval of the torque", draw=prediction_plot),

@@ -7,7 +7,6 @@ turns in a browser. Where VTK cannot draw, there are no pictures, and the report
 import json
 import re
 import subprocess
-import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -18,6 +17,7 @@ from typing import Any, Literal
 
 from matplotlib.ticker import MaxNLocator
 
+from analytic.processes import MODULE, environment
 from analytic.units import MILLI, unit_for
 from analytic.writing import write
 from fembearing.check.contact.scene_contact import place_of
@@ -28,7 +28,7 @@ from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
 from fembearing.report.report import PictureFile
 from fembearing.report.sections.contacts import shoulder_lines, title_of
 
-RENDERER = (sys.executable, "-m", "fembearing.report.pictures.render")
+RENDERER = (*MODULE, "fembearing.report.pictures.render")
 COLOURS = re.compile(r"\x1b\[[0-9;]*m")  # of a terminal, in what VTK says
 PATIENCE = 300  # s for all pictures; they take about ten
 LIFTED = 0.35  # of the ball's radius: how far it is drawn off the race
@@ -123,7 +123,12 @@ def _run(renderer: Sequence[str], jobs: bytes) -> tuple[int, list[str]] | None:
     """
     late = Event()
     with subprocess.Popen(
-        renderer, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, bufsize=0
+        renderer,
+        env=environment(),
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        bufsize=0,
     ) as process:
         assert process.stdin is not None
         assert process.stderr is not None

@@ -1,8 +1,8 @@
 """The first lines of a torque: what was computed, the torque with its interval, and how far to trust it."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
@@ -26,11 +26,13 @@ NO_TORQUE = "No torque: no friction coefficient, lubricant or surface is given."
 MOST_ROWS = 6  # points of a series in the headline
 FULL, BOUNDARY = 0.01, 0.9  # share of the load on asperities: below a full film, above boundary lubrication
 MOST_PARTS = 3  # of a torque
+MOST_NAMES = 8  # of scenes in a line
 LINE, APART = 80, 2  # characters of a terminal's line, and between two columns
 SMALLEST = 0.005  # share of the torque: 0 % as it is printed
 UNLOADED = 1e-4  # share of the load on asperities that is none
 THINNEST = 1e-3  # film ratio that is none
 ABSENT = "not known"
+Said = TypeVar("Said")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -170,13 +172,23 @@ def side_by_side(results: Mapping[str, SceneTorque], units: Units = METRIC) -> T
     """
     heads = [Head("scene", "name"), Head(f"torque, {units.torque.name}", fixed=True), Head("95 %", fixed=True)]
     heads += [Head("power, W", fixed=True), Head("made of", "text"), Head("verdict", "verdict")]
-    rows, notes = [], []
+    rows, said = [], {}
     for name, result in results.items():
         found, count = _headline(result, units), len(result.places.computed)
         rows.append([name, found.torque, found.interval, found.power, found.split, found.verdict])
         series = "" if count == 1 else f"{count} points, made of: at the highest torque; "
-        notes.append(f"{name}: {series}{found.reason}")
+        said[name] = f"{series}{found.reason}"
+    notes = [f"{names}{each}" for each, names in names_by(said.items()).items()]
     return table_of("Friction torque", heads, _in_a_line(heads, rows, len(heads) - 2), notes)
+
+
+def names_by(said: Iterable[tuple[str, Said]]) -> dict[Said, str]:
+    """The scenes that share what is said of them, as "6206, 6308: "; said : names with it"""
+    names: dict[Said, list[str]] = {}
+    for name, each in said:
+        names.setdefault(each, []).append(name)
+    more = {each: f" and {len(found) - MOST_NAMES} more" for each, found in names.items() if len(found) > MOST_NAMES}
+    return {each: f"{', '.join(found[:MOST_NAMES])}{more.get(each, '')}: " for each, found in names.items()}
 
 
 def _in_a_line(heads: Sequence[Head], rows: Sequence[Row], place: int) -> Sequence[Row]:

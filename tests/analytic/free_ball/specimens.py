@@ -1,10 +1,12 @@
 """Bearings of the published check values, and free balls under thrust with Coulomb friction."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
-from analytic.numerics.records import Record
+from analytic.free_ball.rotation import MARCHED
+from analytic.numerics.records import Record, copied, record_in
 from analytic.scene import Array, Bearing, ContactAngle, Operation, Scene
 from analytic.solve.model import Workspace, model_of, workspace
 from analytic.solve.records import SETTLED
@@ -44,11 +46,23 @@ def dry_scene(bearing: Bearing, free_angle: float | None, friction: float, *, lo
 
 
 def under_thrust(
-    bearing: Bearing, free_angle: float | None, *, load: float, speed: float, friction: float, creeps: bool = True
+    bearing: Bearing,
+    free_angle: float | None,
+    *,
+    load: float,
+    speed: float,
+    friction: float,
+    creeps: bool = True,
+    as_long: bool = False,
 ) -> Turned:
-    """With the same nodes, whatever their error."""
+    """With the same nodes, whatever their error; as_long : surfaces are as flexible as those of a long ellipse."""
     scene = dry_scene(bearing, free_angle, friction, load=np.array([load]), speed=np.array([speed]))
     model = model_of(scene, COUNTED | {"creep": creeps}, free=True).with_numbers(level=FINE, allowed=np.inf)
+    if as_long:
+        numbers = copied(model.numbers)
+        numbers["free"]["flexibility"] /= MARCHED[0]
+        numbers["free"]["lean"] = 1.0
+        model = replace(model, numbers=record_in(numbers))
     work = workspace(model)
     found = solved(model, points_of(scene.operation, 0.0), work=work)
     point, ball = found.points[0], found.balls[0, 0]

@@ -9,7 +9,7 @@ from analytic.errors import InputError
 from analytic.scene import Bearing, ContactAngle, Decision, Operation, Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
-from tests.analytic.specimens import FINISH, OIL, balls_of, present
+from tests.analytic.specimens import balls_of, present
 
 
 @pytest.fixture(scope="module")
@@ -24,10 +24,6 @@ def scene(bearing_6205: Bearing) -> Scene:
     )
 
 
-def oiled(scene: Scene) -> Scene:
-    return replace(scene, friction_coefficient=None, lubricant=OIL, surface=FINISH)
-
-
 def at(scene: Scene, **changed: float) -> Scene:
     values = {"axial_load": 410.0, "inner_speed": 83.0} | changed
     return replace(scene, operation=Operation(**{name: np.array([value]) for name, value in values.items()}))
@@ -39,32 +35,6 @@ def test_the_coefficient_of_plain_friction_is_the_given_one(scene: Scene, creep:
     found = friction_torque(replace(scene, effects={**scene.effects, "creep": creep})).friction_coefficient
     for race in (found.inner, found.outer):
         np.testing.assert_allclose(present(race), 0.07, rtol=0.02)  # of a stress that is round near the slip of 0
-
-
-@pytest.mark.parametrize("lubricated", [False, True])
-def test_backwards_mirrored_and_standing_still(scene: Scene, lubricated: bool) -> None:
-    running = oiled(scene) if lubricated else scene
-    forth, back = (friction_torque(at(running, inner_speed=speed)).torque.total for speed in (83.0, -83.0))
-    np.testing.assert_allclose(back, forth, rtol=1e-9)  # residuals of 1e-10
-    still, creeping = (friction_torque(at(running, inner_speed=speed)).torque.total for speed in (0.0, 1e-9))
-    np.testing.assert_allclose(creeping, still, rtol=1e-3)  # of the film that speed adds
-
-
-@pytest.mark.parametrize(
-    "changed",
-    [
-        {"axial_load": 1e-3},
-        {"axial_load": 1e-3, "inner_speed": 0.0},
-        {"axial_load": 90.0, "inner_speed": 3e6 / 39.0 * np.pi / 30},  # n d_m = 3e6 mm/min
-    ],
-)
-@pytest.mark.parametrize("friction", [0.0, 0.07, 1.0])
-def test_hard_corners_have_an_answer(scene: Scene, changed: dict[str, float], friction: float) -> None:
-    found = friction_torque(at(replace(scene, friction_coefficient=friction, hysteresis_loss=0.0), **changed))
-    total = found.torque.total[0]
-    assert np.isfinite(total)
-    assert (total == 0) == (friction == 0)
-    assert total <= friction * 9 * (2 * found.ball_load[0] * 4e-3)  # of full sliding at the ball's radius and more
 
 
 def test_the_outer_ring_carries_load_and_weight(scene: Scene) -> None:

@@ -10,7 +10,6 @@ from analytic.scene import (
     Array,
     Bearing,
     ContactAngle,
-    Decision,
     Operation,
     Scene,
 )
@@ -129,19 +128,6 @@ def test_the_torque_is_the_slip_power_of_every_ball(scene: Scene, axial: float, 
         powers.append(slip_power(ball["load"], axes, deformed, rolls, spin))
     assert max(powers) > 1.5 * min(powers)
     np.testing.assert_allclose(torque(asked), MU * sum(powers), rtol=2e-3)  # kinks of |v| between 60 times 120 nodes
-
-
-@pytest.mark.parametrize("centrifugal", ["off", "on"])
-def test_the_balls_forces_balance_load_and_orbit(scene: Scene, centrifugal: Decision) -> None:
-    balls = balls_of(scene, centrifugal=centrifugal, gyroscopic="off")[0]
-    azimuth = 2 * np.pi * np.arange(9) / 9
-    (inner, outer), (at_inner, at_outer) = balls["load"].T, balls["angle"].T
-    np.testing.assert_allclose(np.sum(inner * np.sin(at_inner)), 310.0, rtol=1e-9)  # of the ring's iteration
-    np.testing.assert_allclose(np.sum(inner * np.cos(at_inner) * np.cos(azimuth)), 170.0, rtol=1e-9)
-    np.testing.assert_allclose(outer * np.sin(at_outer), inner * np.sin(at_inner), rtol=1e-7)
-    flung = 2.04e-3 * 39.01e-3 / 2 * (900 * balls["motion"]["cage_speed"]) ** 2 * (centrifugal == "on")
-    pushed = outer * np.cos(at_outer) - inner * np.cos(at_inner)
-    np.testing.assert_allclose(pushed, flung, rtol=1e-6, atol=1e-7)  # difference of nearly equal forces
 
 
 def test_the_weight_of_the_balls_presses_the_lower_ones(scene: Scene) -> None:

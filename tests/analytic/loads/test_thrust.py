@@ -3,15 +3,12 @@
 from dataclasses import replace
 from typing import Any
 
-import hypothesis.strategies as st
 import numpy as np
 import pytest
-from hypothesis import given
 
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.errors import InputError
-from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.numbers import free_angle
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.state import approaches
@@ -138,36 +135,6 @@ def test_frozen_contacts_balance_with_the_stiffness_of_the_free_angle(bearing_62
 )
 def test_what_a_frozen_stiffness_cannot_do_is_refused(bearing_6205: Bearing, clearance, angle, load, words) -> None:
     refused(lambda: thrust_equilibrium_frozen(with_clearance(bearing_6205, clearance), angle, axial_load=load), *words)
-
-
-def assert_at_rest(balls: Records, bearing: Bearing, load: float, speed: float) -> None:
-    """One ball: forces along the axis and outward, moment about its centre, springs, and the grooves' distance."""
-    (al_i, al_o), normal, r = balls["angle"].tolist(), balls["load"], bearing.ball_radius
-    motion = ball_kinematics(speed, al_i, al_o, bearing.pitch_diameter, bearing.ball_diameter)
-    inertia = 2 / 5 * bearing.ball_mass * r**2
-    pitch = np.arctan2(np.sin(al_o), np.cos(al_o) + 2 * r / bearing.pitch_diameter)  # of outer control
-    moment = inertia * motion.ball_speed * motion.cage_speed * np.sin(pitch)
-    friction = moment / r * normal / normal.sum()  # its moment about the centre, r (T_i + T_o), is the gyroscopic one
-    outward = bearing.ball_mass * bearing.pitch_diameter / 2 * motion.cage_speed**2
-    along = normal * np.sin([al_i, al_o]) + friction * np.cos([al_i, al_o])
-    across = normal * np.cos([al_i, al_o]) - friction * np.sin([al_i, al_o])
-    # Angles settle to 1e-10 or better; a preload, or friction against the moment, may be far above the load.
-    np.testing.assert_allclose(along, load / bearing.ball_count, atol=1e-9 * normal.max())
-    np.testing.assert_allclose(across[1] - across[0], outward, atol=1e-9 * normal.max())
-    stretched = 0.0
-    for groove, race, al, force in zip(
-        (bearing.inner, bearing.outer), loaded_contacts(balls), (al_i, al_o), normal, strict=True
-    ):
-        assert race.stiffness * race.approach**1.5 == pytest.approx(force, rel=1e-12)  # round-off
-        stretched += (groove.groove_radius - r + race.approach) * np.cos(al)
-    radial = bearing.groove_centre_distance - bearing.diametral_clearance / 2
-    assert stretched == pytest.approx(radial, abs=1e-15)  # m; round-off of 0.5 mm
-
-
-@given(log_load=st.floats(0, 4), log_speed=st.floats(0, 3.6), clearance=st.floats(-30e-6, 60e-6))
-def test_every_ball_is_at_rest(bearing_6205: Bearing, log_load: float, log_speed: float, clearance: float) -> None:
-    bearing, load, speed = with_clearance(bearing_6205, clearance), 10.0**log_load, 10.0**log_speed
-    assert_at_rest(thrust_equilibrium(bearing, SOLVED, axial_load=load, inner_speed=speed), bearing, load, speed)
 
 
 @pytest.mark.parametrize(("centrifugal", "gyroscopic"), [(True, True), (True, False), (False, True)])

@@ -86,7 +86,7 @@ def run(cache: Path, code: str = PROGRAM) -> subprocess.CompletedProcess[str]:
     )
 
 
-COMPILING = "fembearing: compiling tests.analytic.numerics.formulas.fill, once on this machine\n"
+COMPILING = "fembearing: compiling formulas, once on this machine\n"
 WITHOUT_NUMBA = f"import sys; sys.modules['numba'] = None\n{PROGRAM}"
 
 

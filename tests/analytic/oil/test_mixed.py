@@ -1,25 +1,21 @@
 """The shared load: both equations that it solves, its limits, a root in 40 digits, and digits of another program."""
 
 import hypothesis.strategies as st
-import mpmath
 import numpy as np
 import pytest
 from hypothesis import example, given
-from mpmath import mpf
 from scipy.optimize import brentq
 from scipy.special import erfc
 
 from analytic.oil.film import Inflow, asymptotes_of, central_film, log_film_of
-from analytic.oil.mixed import MOLECULAR_FILM, MixedContact, mixed_contact, oil_beside
+from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.scene import Array, AsperityLaw, Autocorrelation, Surface
-from analytic.surface.asperity import log_pressure_at, separation_of, summit_area
-from analytic.surface.gap import SMOOTH_GAP, GapNumbers, gap_law
-from analytic.surface.moments import Summits
+from analytic.surface.asperity import log_pressure_at, summit_area
+from analytic.surface.gap import GapNumbers, gap_law
 from analytic.surface.roughness import gap_roughness
 from analytic.surface.truncated_gap import log_mean_gap
 from tests.analytic.specimens import hertzian
 from tests.contacts import STEEL
-from tests.validation.hard.lubrication_exact import film, log_over_summits, mean_gap
 
 E, H = 113.187e9, 7.8e9  # Pa
 CONTACT = {
@@ -30,7 +26,6 @@ CONTACT = {
     "entrainment_speed": 0.37,
 }
 OIL = {"viscosity": 0.061, "pressure_viscosity": 2.1e-8}
-ACCURACY = 2e-8  # of the share: 1e-8 of the table, twice where both of its splines take part
 
 
 def finish(sq: float, length: float = 60e-6, asperities: AsperityLaw = "zhao_maietta_chang") -> Surface:
@@ -44,10 +39,6 @@ def rough(
 ) -> GapNumbers:
     surface = finish(sq, length, asperities)
     return gap_law(surface, gap_roughness(surface), modulus=modulus, bodies=(STEEL, STEEL))
-
-
-def summits_of(sq: float) -> Summits:
-    return gap_roughness(finish(sq)).summits
 
 
 def area(load: float = 613.0) -> float:
@@ -108,44 +99,6 @@ def test_both_equations_hold(load: float, speed: float, sq: float, alpha: float,
         np.testing.assert_allclose(h, min(float(film), limit), rtol=1e-8)  # round-off of 1 - s
 
 
-def test_smooth_and_all_but_smooth_surfaces_leave_the_film_alone() -> None:
-    film = smooth_film()
-    smooth, almost = mixed(SMOOTH_GAP), mixed(rough(1e-10))
-    assert smooth.asperity_share == almost.asperity_share == 0
-    np.testing.assert_allclose([smooth.film_thickness, almost.film_thickness], film, rtol=1e-15)
-    assert smooth.area_fraction == almost.area_fraction == 0
-    np.testing.assert_allclose(smooth.boundary_share, np.exp(-film / MOLECULAR_FILM), rtol=1e-12)
-    slight = mixed(rough(0.03e-6))
-    assert 0 < slight.asperity_share < 1e-3
-    np.testing.assert_allclose(slight.film_thickness, film, rtol=1e-3)  # no more than the share moves it
-
-
-def test_standstill_is_the_limit_of_slow_running() -> None:
-    gap = rough(0.4e-6)
-    still = mixed(gap, entrainment_speed=0.0)
-    assert still.without_film
-    assert still.asperity_share == still.boundary_share == 1
-    assert oil_beside(still)[0] == 0
-    pressure = CONTACT["load"] / area()
-    d = separation(float(still.film_thickness), gap)
-    table = gap.cubics, gap.truncated.summits
-    np.testing.assert_allclose(log_pressure_at(*table, d), np.log(pressure), atol=ACCURACY)
-    np.testing.assert_allclose(summit_area(*table, d), still.area_fraction, rtol=ACCURACY)
-    speeds = 10.0 ** np.arange(-3, -250, -13)
-    slow = mixed(gap, entrainment_speed=speeds)
-    assert not slow.without_film.any()
-    assert np.all(np.diff(slow.asperity_share) >= 0)
-    for name in ("asperity_share", "boundary_share", "film_thickness", "area_fraction"):
-        np.testing.assert_allclose(getattr(slow, name)[-1], getattr(still, name), rtol=1e-12)
-    heated = mixed(gap, film_factor=0.0)
-    assert heated.without_film
-    assert heated.film_thickness == still.film_thickness
-    assert heated.boundary_share == 1
-    wall = mixed(SMOOTH_GAP, entrainment_speed=0.0)
-    assert (wall.asperity_share, wall.film_thickness, wall.area_fraction) == (1, 0, 1)
-    assert (wall.boundary_share, *oil_beside(wall)) == (1, 0, 0)
-
-
 @pytest.mark.parametrize("sq", [0.2e-6, 0.6e-6])
 def test_a_step_leads_to_the_measured_share(sq: float) -> None:
     """Of friction in a ball-on-disc rig, erfc(lambda/2); the power between is that of the ratio of both shares."""
@@ -192,57 +145,3 @@ def test_the_shared_film_is_that_of_less_load_between_softer_bodies(share: float
     np.testing.assert_allclose(slope, (beyond - before) / (2 * step), atol=1e-8)  # round-off of 1e-14 over the step
     full = film._replace(clearance=log_h - 0.1)
     assert log_film_of(full, share) == (full.clearance, 0.0)  # it cannot grow
-
-
-def film_of(share: mpf, given: dict[str, float]) -> mpf:
-    """Of the load F (1 - s) and the modulus E* (1 - s)."""
-    names = {
-        "along": "curvature_rolling",
-        "across": "curvature_transverse",
-        "load": "load",
-        "modulus": "modulus",
-        "speed": "entrainment_speed",
-        "alpha": "pressure_viscosity",
-    }
-    return film(**{name: given[key] for name, key in names.items()}, borne=1 - share)
-
-
-@pytest.mark.parametrize(
-    ("sq", "changed"),
-    [
-        (0.1e-6, {}),  # a small share
-        (0.016e-6, {}),  # 1e-11 or so
-        (0.6e-6, {"entrainment_speed": 3e-5}),  # most of the load
-        (0.3e-6, {"entrainment_speed": 1e-9, "load": 3.7}),  # all but 1e-6 of it
-    ],
-)
-def test_the_root_of_the_printed_equations_in_40_digits(sq: float, changed: dict[str, float]) -> None:
-    """The unknown is the separation of the mean planes, from which everything follows without an inverse."""
-    gap, given = rough(sq), CONTACT | OIL | changed
-    found = mixed(gap, **changed)
-    log_pressure = np.log(found.asperity_share * given["load"] / area(given["load"]))
-    start, slope = (float(part) for part in separation_of(gap.cubics, gap.truncated.summits, log_pressure))
-    step = -0.1 * slope * (1 - float(found.asperity_share))  # a tenth of 1 - s
-    with mpmath.workdps(40):
-        nominal, summits = mpf(area(given["load"])), summits_of(sq)
-        of = tuple(
-            mpf(float(each))
-            for each in (summits.density, summits.radius, summits.height_deviation, summits.mean_height)
-        )
-
-        def share(d: mpf) -> mpf:
-            return mpmath.exp(log_over_summits((d - of[3]) / of[2], of, modulus=E)) * nominal / given["load"]
-
-        def excess(d: mpf) -> mpf:
-            return mpmath.log(mean_gap(d, mpf(gap.truncated.deviation)) / film_of(share(d), given))
-
-        with mpmath.workdps(20):
-            d = mpmath.findroot(excess, (start + step, start + step / 2), solver="secant", tol=1e-24)
-        exact = share(d)
-        thickness = film_of(exact, given)
-        remaining = float(1 - exact)
-    np.testing.assert_allclose(float(found.asperity_share), float(exact), rtol=ACCURACY)
-    np.testing.assert_allclose(float(found.film_thickness), float(thickness), rtol=ACCURACY)
-    # The splines' error in the gap is that of the film, which grows at least as (1 - s)^-1/2; round-off of 1 - s.
-    if remaining < 0.5:
-        np.testing.assert_allclose(1 - found.asperity_share, remaining, rtol=2 * ACCURACY, atol=1e-15)

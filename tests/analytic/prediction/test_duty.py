@@ -104,7 +104,7 @@ def test_the_mean_power_warms_the_oil(tmp_path: Path) -> None:
     [
         ("inner_speed [rpm]\n60\n", ("no column duration", "duration [s]")),
         ("duration [s]\n60\n", ("does not say what runs in its steps",)),
-        (HEAD + "0,60,500\n", ("row 1 (line 2): duration = 0 s is out of range",)),
+        (HEAD + "0,60,500\n", ("row 1 (line 2): duration = 0 s must be at least",)),
         (HEAD + "5,0,500\n", ("nothing turns in any step",)),
         (HEAD + "5,60,0\n", ("row 1 has no load",)),
         ("duration [s],inner_speed [rpm],temperature [degC]\n5,600,60\n", ("6205-dry", "no [lubricant]")),

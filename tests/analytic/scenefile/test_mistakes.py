@@ -31,9 +31,6 @@ def with_bearing(line: str) -> str:
 
 
 SLIPS = [  # of people: text, and words of the message
-    (changed('"700 N"', "700"), ("operation.axial_load = 700", "no unit", '"1 kN"')),
-    (changed('"700 N"', '"700"'), ("operation.axial_load = '700'", "unit is missing", '"1 kN"')),
-    (changed('"700 N"', '"700 newtonn"'), ("operation.axial_load", "'newtonn'", '"1 kN"')),
     (changed('"700 N"', '"1.200,7 N"'), ("operation.axial_load = '1.200,7 N'", "decimal point")),
     (changed('"700 N"', '"2,500 N"'), ("operation.axial_load = '2,500 N'", "ambiguous", "write 2500 N or 2.5 N")),
     (changed('"700 N"', '"700 N"\ndown = [1, inf, 0]'), ("operation.down", "is no direction", "[1, 0, 0]")),
@@ -42,7 +39,6 @@ SLIPS = [  # of people: text, and words of the message
     (changed('"700 N"', '["5 N", "6 N", "7 N"]'), ("axial_load has 3", "inner_speed has 2", "equal lengths")),
     (changed('"100 rpm"', '"100 Hz"'), ("inner_speed[0] = '100 Hz'", "Hz may count turns or radians: write rpm")),
     (changed('"700 N"', '"70 kg"'), ("operation.axial_load = '70 kg'", "kg is a mass: write kgf")),
-    (changed('"700 N"', '"700 N"\nmoment = "3 Nmm"'), ("operation.moment = '3 Nmm'", "units stand apart: write N mm")),
     (changed('axial_load = "700 N"', ""), ("operation.axial_load leaves a point without any load", '"1000 N"')),
     (changed('"2 %"', "0x" + "f" * 6000), ("tolerance", "a number of some 7225 digits", "too large")),
     (changed('name = "a series"', ""), ("name is missing", "give a name")),
@@ -173,7 +169,7 @@ def test_an_unknown_key_is_answered_in_short(text: str, words: str) -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (None, "give the path of a scene file (built in: 6205-dry, paper_6205)"),
+        (None, "fembearing init 6206 writes a scene file"),
         (b"\xff\xfe\x00n", "byte 0 is not UTF-8"),
         (b"#" * (LARGEST_FILE + 1), f"more than {LARGEST_FILE} bytes"),
         (b"\x00\x01\x02", "not TOML"),
@@ -201,12 +197,6 @@ def test_a_name_with_an_extension_is_a_file_and_no_bearing(name: str) -> None:
     with pytest.raises(InputError, match=f"^{name}: No such file"):
         load_scene(name)
     assert load_scene("6205.C3").bearing.series == "62"
-
-
-def test_a_designation_without_quotes_is_refused() -> None:
-    """From Python, where 6206 is a number."""
-    with pytest.raises(InputError, match='write it in quotes: "6206"'):
-        load_scene(6206)  # type: ignore[arg-type]
 
 
 def test_a_file_with_a_byte_order_mark_is_read(tmp_path: Path) -> None:

@@ -200,7 +200,7 @@ def test_a_table_completes_a_material_of_the_catalog() -> None:
 def test_a_material_that_lacks_a_constant_names_it() -> None:
     message = refusal(changed(BEARING, f'{BEARING}\nball_material = "440C"'))
     assert "bearing.ball_material = '440C' has no sourced poisson_ratio" in message
-    assert "{ name = '440C', poisson_ratio = 0.29 }" in message
+    assert '{ name = "440C", poisson_ratio = 0.29 }' in message
     assert "poisson_ratio is missing" in refusal(changed(BEARING, f'{BEARING}\nball_material = {{ name = "M50" }}'))
     with pytest.raises(InputError, match="material 'brass' has no sourced poisson_ratio"):
         analytic.material("brass")

@@ -10,9 +10,9 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Autocorrelation, HeightMapFile, Surface
-from analytic.surface.heightmap import HeightMap, levelled
 from analytic.surface.moments import mccool_summits
 from analytic.surface.roughness import autocorrelation_at, gap_roughness, generated_surface, spectral_moments
+from tests.analytic.surface.map_files import formless
 from tests.refusals import refused
 
 SQ = 0.37e-6  # m
@@ -117,13 +117,13 @@ def test_a_scene_with_a_height_map(tmp_path: Path) -> None:
     np.save(tmp_path / "race.npy", heights)
     given = HeightMapFile(path=str(tmp_path / "race.npy"), spacing=SMOOTH.spacing)
     computed = gap_roughness(Surface(height_map=given, ball_rms_roughness=0.1e-6))
-    straight = levelled(HeightMap(heights=heights, spacing=SMOOTH.spacing)).heights
+    straight = formless(heights)
     np.testing.assert_allclose(computed.race.rms_roughness, straight.std(), rtol=1e-12)  # round-off
     np.testing.assert_allclose(computed.ball.rms_roughness, 0.1e-6, rtol=1e-13)
     np.testing.assert_allclose(computed.ball.bandwidth, computed.race.bandwidth, rtol=1e-12)
     np.save(tmp_path / "tilted.npy", 3e-7 * np.arange(60) + 2e-7 * np.arange(50)[:, None] + 4e-6)
     tilted = HeightMapFile(path=str(tmp_path / "tilted.npy"), spacing=1e-6)
-    words = "surface.height_map: ", "tilted.npy: heights have Sq 0 nm, less than 1 nm"
+    words = "surface.height_map: ", "tilted.npy: heights have Sq 0 nm without plane and form, less than 1 nm"
     refused(lambda: gap_roughness(Surface(height_map=tilted)), *words)
     refused(lambda: gap_roughness(Surface(rms_roughness=SQ)), "surface needs rms_roughness and autocorrelation")
 

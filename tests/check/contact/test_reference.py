@@ -1,6 +1,5 @@
 """The compliance of the pair under one load and many: extrapolation, compliances of the load itself, single solves."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
@@ -9,7 +8,6 @@ import numpy as np
 import pytest
 
 from analytic.scene import Contact
-from fembearing.check.contact.load_series import compare_series
 from fembearing.check.contact.meshed_region import FADING, STIFFNESS, Boundary
 from fembearing.check.contact.reference import (
     APART,
@@ -21,23 +19,18 @@ from fembearing.check.contact.reference import (
     NEARER,
     ORDER,
     PairSeries,
-    ends_before_shoulder,
     estimates_of_pair,
     pair_series,
     sampling_loads,
     solve_reference,
 )
 from fembearing.check.contact.refinement import COMPARED, FORMAL_ORDERS, Wanted
-from fembearing.check.contact.solution import ContactSolution, compare_contact
 from fembearing.fem.compliance import sampled_pair
 from fembearing.fem.measure import Quantities
 from fembearing.fem.pixel_contact import press_pair
 from fembearing.fem.twin import shared_axes
-from fembearing.grid_convergence import CAUTIOUS
-from fembearing.grid_convergence import LEAST as LEAST_AT_SHOULDER
 from fembearing.mesh.race import WIDEST_BLOCK
-from fembearing.mesh.recipe import Recipe, load_recipe
-from tests.analytic.specimens import present
+from fembearing.mesh.recipe import load_recipe
 
 RECIPE = load_recipe("race")
 ENDS = (95.0, 560.0)
@@ -64,21 +57,6 @@ def test_between_its_loads_it_agrees_with_a_compliance_sampled_there(
         assert getattr(found.quantities, name) == pytest.approx(getattr(direct.quantities, name), rel=BETWEEN), name
 
 
-@pytest.mark.nightly
-@pytest.mark.parametrize("load", [131.0, 400.0])
-def test_it_agrees_with_meshes_of_that_load(series: tuple[Contact, PairSeries], load: float) -> None:
-    """With far boundary and sides, on levels to 3, within both uncertainties; those of the series are below 0.1 %.
-
-    The stiffness, load over the 1.5th power of the approach, has 1.5 times the uncertainty of the approach.
-    """
-    contact, over_load = series
-    _, estimates = over_load.under(load)
-    single = solve_reference(replace(contact, load=load), Wanted(RECIPE, accuracy=5e-4))
-    for name, part in single.estimates.items():
-        assert abs(estimates[name].value / part.value - 1) < estimates[name].total + part.total, name
-        assert estimates[name].total < 1e-3 * (STIFFNESS if name == "stiffness" else 1), name
-
-
 def test_the_far_boundary_grows_with_the_block_of_each_load(contacts: dict[str, Contact]) -> None:
     """The radius of the ring limits the larger block of the heavier load alone."""
     contact = replace(
@@ -101,36 +79,11 @@ def test_the_far_boundary_grows_with_the_block_of_each_load(contacts: dict[str, 
     assert heavy < 1.9 < light == 2
 
 
-def test_a_light_load_has_no_far_boundary(contacts: dict[str, Contact]) -> None:
-    contact = replace(contacts["outer"], groove_radius=4.9e-3)
-    over_load = pair_series(contact, recipe=RECIPE, loads=(1e-4, 2e-4))
-    _, estimates = over_load.under(1.5e-4)
-    for name in COMPARED:
-        assert abs(estimates[name].beyond) < 2e-4, name  # the contact is 0.1 % of its ball
-
-
 def test_samples_are_never_farther_apart_than_that_and_hold_both_ends() -> None:
     for low, high in ((95.0, 95.5), (10.0, 30.0), (3e-3, 870.0)):
         loads = sampling_loads((high, low, 0.4 * low + 0.6 * high))
         assert (loads[0], loads[-1]) == (low, high)
         assert max(np.divide(loads[1:], loads[:-1])) <= APART * (1 + 1e-12)
-
-
-def test_loads_near_the_shoulder_are_solved_on_meshes(
-    contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
-) -> None:
-    """All quantities of the others are there; the law goes through all. A load over the shoulder is not judged."""
-    contact = replace(contacts["inner"], shoulder=0.9e-3, far_shoulder=0.9e-3, contact_angle=0.0)
-    loads = [70.0, 200.0, 400.0]  # ellipses of 0.53, 0.76 and 0.96 mm
-    assert [ends_before_shoulder(replace(contact, load=load)) for load in loads] == [True, True, False]
-    found = compare_series(contact, recipe=shallow("race"), loads=loads, tolerance=0.9)
-    assert [len(point.quantities) for point in found.points] == [5, 5, 1]
-    assert found.law is not None
-    assert [point.approach.verdict for point in found.points] == ["pass", "pass", "outside validity"]
-    assert "from 400 N on the contact reaches its shoulder" in " ".join(found.warnings)
-    over = present(found.points[2].approach.study)
-    assert over.richardson is None  # there no order is assumed
-    assert over.mesh >= CAUTIOUS * abs(1 - over.values[0] / over.values[1]) + LEAST_AT_SHOULDER
 
 
 EXACT = {"semi_axis_rolling": 0.12e-3, "semi_axis_transverse": 0.7e-3, "peak_pressure": 2.1e9, "approach": 6.2e-6}
@@ -164,19 +117,6 @@ def test_levels_are_extrapolated(contacts: dict[str, Contact], levels: tuple[int
         assert found[name].mesh == pytest.approx(np.hypot(own, 2e-4), rel=1e-9), name
     assert found["stiffness"].limit == pytest.approx(372.0 / EXACT["approach"] ** 1.5, rel=1e-12)
     assert found["stiffness"].mesh == pytest.approx(STIFFNESS * found["approach"].mesh, rel=1e-12)
-
-
-def test_the_result_says_how_it_was_refined(
-    contacts: dict[str, Contact], shallow: Callable[[str], Recipe], cut_contact: ContactSolution
-) -> None:
-    """The idealisation has no shapes to add to half spaces, and a contact that its shoulder cuts off is no ellipse."""
-    race, half_spaces = (
-        compare_contact(contacts["inner"], recipe=shallow(recipe), tolerance=0.9) for recipe in ("race", "hertzian")
-    )
-    for solution, refinement in ((race, "pair"), (cut_contact, "levels"), (half_spaces, "levels")):
-        found = solution.numbers
-        assert found.refinement == refinement
-        assert ("compliance" in found.method) == (refinement == "pair")
 
 
 @pytest.mark.nightly

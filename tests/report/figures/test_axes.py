@@ -6,7 +6,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.figures.series_axis import MOST_TICKS, SeriesAxis, axis_of
-from analytic.figures.style import MANY, plain_numbers, scaled
+from analytic.figures.style import scaled
 from analytic.units import INCH_POUND, METRIC, Units
 from tests.report.figures.figure_reader import require_legible
 
@@ -30,13 +30,6 @@ def panel_with(axis: SeriesAxis) -> Axes:
     panel.plot(axis.values, axis.values)
     axis.apply(panel)
     return panel
-
-
-def test_many_points_on_a_line_have_no_marks_and_points_by_themselves_always_have() -> None:
-    for count, mark in ((MANY, "o"), (MANY + 1, "")):
-        assert over_speeds(*range(100, 100 + count)).mark == mark
-    apart = series(*((100.0 + number // 2, 700.0 + number) for number in range(MANY + 1)))
-    assert (apart.joined, apart.mark) == (False, "o")
 
 
 def test_points_and_their_columns_stand_in_the_order_of_the_size_of_their_speed() -> None:
@@ -65,18 +58,6 @@ def test_names_have_what_differs_and_the_title_what_is_the_same() -> None:
         assert (axis.names, axis.fixed) == (names, fixed)
 
 
-@pytest.mark.parametrize(
-    ("speeds", "scale"),
-    [
-        ((100.0, 300.0, 999.0), "linear"),
-        ((100.0, 300.0, 1000.0), "log"),  # a decade
-        ((0.0, 300.0, 9000.0), "linear"),
-    ],
-)
-def test_a_decade_is_logarithmic_unless_it_begins_at_0(speeds: tuple[float, ...], scale: str) -> None:
-    assert panel_with(over_speeds(*speeds)).get_xscale() == scale
-
-
 def test_few_values_are_the_ticks_of_a_logarithmic_axis_and_many_or_near_ones_are_not() -> None:
     for values, own in (
         (np.geomspace(37.0, 4300.0, MOST_TICKS), True),
@@ -87,17 +68,6 @@ def test_few_values_are_the_ticks_of_a_logarithmic_axis_and_many_or_near_ones_ar
         ticks = np.asarray(panel.get_xticks())
         assert (ticks.size == len(values) and np.allclose(ticks, values, rtol=1e-9)) == own
     require_legible(panel.figure)  # pyright: ignore[reportArgumentType]
-
-
-def test_points_by_themselves_are_named_at_most_eight_times_and_fill_their_panel() -> None:
-    for count, step in ((MOST_TICKS, 1), (MOST_TICKS + 1, 2), (3 * MOST_TICKS, 3)):
-        axis = series(*((100.0 + number, 700.0 + number) for number in range(count)))
-        panel = panel_with(axis)
-        assert panel.get_xticks().tolist() == list(range(0, count, step))
-        assert [text.get_text() for text in panel.get_xticklabels()] == axis.names[::step]
-        low, high = panel.get_xlim()
-        assert -1 < low < 0
-        assert high - (count - 1) == pytest.approx(-low, rel=1e-9)  # as much room at both ends
 
 
 @pytest.mark.parametrize(
@@ -120,13 +90,3 @@ def test_values_above_0_over_a_decade_are_on_a_logarithmic_scale(
     scaled(panel, np.array(values), axis=axis)
     found = {"x": panel.get_xscale(), "y": panel.get_yscale()}
     assert found == {"x": "linear", "y": "linear"} | {axis: scale}
-
-
-def test_a_short_scale_has_ticks_between_its_powers_of_ten_and_numbers_are_written_out() -> None:
-    for high, ticks in ((14.0, [1, 2, 5, 10]), (16.0, [1, 3, 10]), (99.0, [1, 3, 10, 30]), (101.0, [1, 10, 100])):
-        panel = Figure().subplots()
-        panel.set(yscale="log", ylim=(1.0, high))
-        plain_numbers(panel.yaxis)
-        shown = [tick for tick in panel.get_yticks() if 1 <= tick <= high]
-        np.testing.assert_allclose(shown, ticks, rtol=1e-9)
-        assert panel.yaxis.get_major_formatter()(1000.0) == "1000"

@@ -331,17 +331,6 @@ def test_a_page_has_the_drawing_without_its_table_or_says_that_there_is_none() -
     assert drawn(bearing=replace(scene.bearing, width=-1e-3)) == (None, NOT_DRAWABLE)
 
 
-def test_a_clearance_that_can_be_seen_is_not_called_too_small() -> None:
-    scene = load_scene("6205")
-    bearing, ball = scene.bearing, scene.bearing.ball_diameter
-    for share, small in ((0.019, True), (0.021, False)):
-        outer = bearing.inner.bottom_radius + ball + share * ball / 2
-        wide = replace(bearing, outer=replace(bearing.outer, bottom_radius=outer))
-        texts = [text.get_text() for text in draw_bearing(replace(scene, bearing=wide)).axes[0].texts]
-        (words,) = (each for each in texts if each.startswith("radial clearance"))
-        assert ("too small to see" in words) == small
-
-
 @pytest.mark.parametrize("name", [*EVERY, "608"])
 def test_no_words_lie_on_others_or_leave_the_page(name: str) -> None:
     require_legible(draw_bearing(scene_of(name)))
@@ -366,3 +355,14 @@ def test_more_balls_than_are_drawn_are_refused() -> None:
     scene = load_scene("6205")
     with pytest.raises(InputError, match=r"6205: .*at most 500 balls"):
         draw_bearing(replace(scene, bearing=replace(scene.bearing, ball_count=501)))
+
+
+def test_a_clearance_that_can_be_seen_is_not_called_too_small() -> None:
+    scene = load_scene("6205")
+    bearing, ball = scene.bearing, scene.bearing.ball_diameter
+    for share, small in ((0.019, True), (0.021, False)):
+        outer = bearing.inner.bottom_radius + ball + share * ball / 2
+        wide = replace(bearing, outer=replace(bearing.outer, bottom_radius=outer))
+        texts = [text.get_text() for text in draw_bearing(replace(scene, bearing=wide)).axes[0].texts]
+        (words,) = (each for each in texts if each.startswith("radial clearance"))
+        assert ("too small to see" in words) == small

@@ -23,22 +23,6 @@ def motion_of(record: CageRecord) -> DrawnMotion:
     return record.drawn()
 
 
-def test_the_axis_of_forces_reaches_below_the_least_of_them(record: CageRecord) -> None:
-    """Half of the least force above 0, as long as that is no tiny share of the largest ones."""
-    motion = motion_of(record)
-    largest = np.linspace(0.4, 1.9, len(motion.forces.time))
-    largest[5] = 0.0
-    forces = replace(motion.forces, largest=tuple(largest), sum=tuple(1.3 * largest))
-    known = replace(motion, forces=forces, max_force=2.7)
-    panel = orbit_figure(known, METRIC).axes[1]
-    assert panel.get_ylim()[0] == pytest.approx(0.4 / 2, rel=1e-12)  # round-off
-    assert panel.get_ylim()[1] > 1.3 * 1.9
-    largest[7] = 1e-5
-    tiny = replace(known, forces=replace(forces, largest=tuple(largest)))
-    low = orbit_figure(tiny, METRIC).axes[1].get_ylim()[0]
-    assert low == pytest.approx(2.7e-3, rel=1e-12)  # a thousandth of the median of the blocks
-
-
 def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
     known = replace(record, statistics=replace(record.statistics, block_maxima=(0.3, 0.7, 0.5, 0.9)))
     excess = orbit_figure(motion_of(known), METRIC).axes[2]
@@ -122,6 +106,22 @@ def test_an_arrow_shows_where_gravity_pulls(record: CageRecord) -> None:
             ends = np.array([arrow.xy, arrow.xyann])
             assert np.all((ends > 0) & (ends < 1))  # inside the panel
             assert np.linalg.norm(way) < 0.2
+
+
+def test_the_axis_of_forces_reaches_below_the_least_of_them(record: CageRecord) -> None:
+    """Half of the least force above 0, as long as that is no tiny share of the largest ones."""
+    motion = motion_of(record)
+    largest = np.linspace(0.4, 1.9, len(motion.forces.time))
+    largest[5] = 0.0
+    forces = replace(motion.forces, largest=tuple(largest), sum=tuple(1.3 * largest))
+    known = replace(motion, forces=forces, max_force=2.7)
+    panel = orbit_figure(known, METRIC).axes[1]
+    assert panel.get_ylim()[0] == pytest.approx(0.4 / 2, rel=1e-12)  # round-off
+    assert panel.get_ylim()[1] > 1.3 * 1.9
+    largest[7] = 1e-5
+    tiny = replace(known, forces=replace(forces, largest=tuple(largest)))
+    low = orbit_figure(tiny, METRIC).axes[1].get_ylim()[0]
+    assert low == pytest.approx(2.7e-3, rel=1e-12)  # a thousandth of the median of the blocks
 
 
 def test_forces_over_a_wide_range_have_a_logarithmic_scale(record: CageRecord) -> None:

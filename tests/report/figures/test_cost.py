@@ -45,11 +45,3 @@ def test_points_bars_and_the_reference_are_drawn_in_per_cent() -> None:
     assert contact.get_xlim() == load.get_xlim()
     assert {text.get_text() for text in contact.texts} == {"1", "2", "4", "5"}  # the third failed
     require_legible(figure)
-
-
-def test_four_panels_share_a_figure_of_the_page_and_all_are_in_one_file() -> None:
-    ladders = [replace(CONTACT, quantity=f"quantity {number}") for number in range(6)]
-    figures = [*cost_figures(ladders, tolerance=0.1), *cost_figures(ladders, tolerance=1e-308, most=7)]
-    assert [sum(panel.axison for panel in figure.axes) for figure in figures] == [4, 3, 7]
-    for figure in figures:
-        require_legible(figure)

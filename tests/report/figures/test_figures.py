@@ -8,7 +8,6 @@ import json
 import pkgutil
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from importlib import import_module
 from types import SimpleNamespace
 from typing import Any, NamedTuple, cast
@@ -24,15 +23,14 @@ import analytic.figures
 import fembearing.report.figures
 from analytic.figures.torque import torque_figure
 from analytic.scene_torque import SceneTorque, torque_of_scene
-from analytic.scenefile.read import load_scene, parse_scene
+from analytic.scenefile.read import parse_scene
 from analytic.units import INCH_POUND, METRIC
 from fembearing.check.cage_record import CageRecord
 from fembearing.check.contact import figure as contact_figure
 from fembearing.check.film import figure as film_figures
 from fembearing.check.film.figure import film_figure
 from fembearing.check.validation import Validation
-from fembearing.report.figures.bearing import bearing_plot, draw_bearing
-from fembearing.report.figures.cage import cage_plot, orbit_figure
+from fembearing.report.figures.cage import cage_plot
 from fembearing.report.figures.contacts import approach_plot, convergence_plot, pressure_plot
 from fembearing.report.figures.duty import duty_figure
 from fembearing.report.figures.measured import measured_plot
@@ -47,8 +45,14 @@ from tests.report.figures.figure_reader import area_of, bars_of, line_of, points
 from tests.report.figures.intervals import INTERVAL
 from tests.report.specimens import TWO
 
-RPM = 30 / np.pi
-TESTED_APART = {"cost_figures", "sensitivity_plot"}  # in files of their own
+TESTED_APART = {  # in files of their own
+    "bearing_plot",
+    "cost_figures",
+    "draw_bearing",
+    "height_map_figure",
+    "height_map_plot",
+    "sensitivity_plot",
+}
 PARTS = {  # what is called a figure but is a part of one
     "panel_of",
     "lettered",
@@ -287,12 +291,6 @@ def pressure(sources: Sources) -> Drawn:
     )
 
 
-def contact_alone(sources: Sources) -> Drawn:
-    contact = sources.checked.contacts[0]
-    figure = contact.plot()
-    return Drawn(figure, [(figure.axes[0].get_title(), f"Ball on inner race\n{contact.contact.load:.4g} N")])
-
-
 def ring(sources: Sources) -> Drawn:
     figure, _ = ring_plot(sources.document)
     polar = present(figure).axes[0]
@@ -322,20 +320,6 @@ def measured(_sources: Sources) -> Drawn:
     return Drawn(present(figure), [(points[0], [(600, 40)]), (points[1], [(600, 25)])])
 
 
-def bearing(sources: Sources) -> Drawn:
-    """In a report without its table."""
-    figure, _ = bearing_plot(sources.solved)
-    texts = [text.get_text() for text in present(figure).texts]
-    scene = sources.checked.scene.bearing
-    title = f"{scene.name}: {scene.ball_count} balls of {1e3 * scene.ball_diameter:.5g} mm"
-    return Drawn(present(figure), [(texts[0], title), ("gap between balls" in texts, False)])
-
-
-def bearing_alone(_sources: Sources) -> Drawn:
-    figure = draw_bearing(load_scene("7208B"))
-    return Drawn(figure, [("gap between balls" in [text.get_text() for text in figure.texts], True)])
-
-
 def cage(sources: Sources) -> Drawn:
     motion = sources.record.drawn()
     figures, _ = cage_plot(cast(Report, SimpleNamespace(cage_records=(motion,), units=METRIC)))
@@ -350,11 +334,6 @@ def cage(sources: Sources) -> Drawn:
             (largest[pressed], np.column_stack([1e3 * np.array(motion.forces.time), motion.forces.largest])[pressed]),
         ],
     )
-
-
-def cage_with_caption(sources: Sources) -> Drawn:
-    figure = orbit_figure(replace(sources.record.drawn(), state="irregular"), METRIC, captioned=True)
-    return Drawn(figure, [(figure.get_supxlabel().startswith("The cage moves irregularly"), True)])
 
 
 def duty(_sources: Sources) -> Drawn:
@@ -471,14 +450,10 @@ FIGURES: dict[Callable[[Sources], Drawn], Callable[..., Any]] = {
     approach: approach_plot,
     convergence: convergence_plot,
     pressure: pressure_plot,
-    contact_alone: pressure_plot,
     ring: ring_plot,
     interval: prediction_plot,
     measured: measured_plot,
-    bearing: bearing_plot,
-    bearing_alone: draw_bearing,
     cage: cage_plot,
-    cage_with_caption: cage_plot,
     duty: duty_figure,
     film: film_figure,
     sweep_map: map_figure,

@@ -12,7 +12,7 @@ from analytic.errors import InputError
 from analytic.figures.torque import MOST_NAMES, DrawnTorque, torque_figure
 from analytic.units import METRIC
 from fembearing.check.contact.solution import ContactSolution
-from fembearing.report.figures.contacts import approach_plot, convergence_plot, pressure_plot
+from fembearing.report.figures.contacts import convergence_plot, pressure_plot
 from fembearing.report.figures.measured import axis_of, measured_figure
 from fembearing.report.figures.prediction import interval_figure
 from fembearing.report.figures.ring import LEAST_SPAN, ring_plot
@@ -76,18 +76,6 @@ def test_the_formal_order_is_a_slope_below_all_points(document: Report) -> None:
         for place in ("inner race", "outer race", "thick seat", "sheet on its rim"):
             points = points_of(line_of(panels[name], place))
             assert np.all(points[:, 1] > 2 * first[1] * (points[:, 0] / first[0]) ** (-order / 3))
-
-
-def test_contacts_stand_side_by_side_in_rows_of_equal_length(document: Report) -> None:
-    """At most four beside each other, each with its two panels one above the other."""
-    for count, rows, columns in ((2, 1, 2), (4, 1, 4), (5, 2, 3), (9, 3, 3)):
-        figure, _ = approach_plot(report_with(*(3 * list(document.contacts))[:count]))
-        places = [present(panel.get_subplotspec()) for panel in present(figure).axes]
-        found = [(place.rowspan.start, place.colspan.start) for place in places]
-        assert len(found) == 2 * count
-        assert {row for row, _ in found} == {*range(2 * rows)}
-        assert {column for _, column in found} == {*range(columns)}
-        require_legible(present(figure))
 
 
 @pytest.mark.parametrize("draw", [torque_plot, friction_plot, ring_plot])
@@ -203,11 +191,3 @@ def test_more_curves_than_colours_are_drawn_as_points_in_one_colour() -> None:
     figure = measured_figure(comparison(*rows))
     assert [text.get_text() for text in figure.legends[0].get_texts()] == ["computed, 95 %", "measured, missed"]
     require_legible(figure)
-
-
-def test_measured_torques_over_a_decade_are_on_logarithmic_axes() -> None:
-    for fast, scale in ((200.0, "linear"), (400.0, "log")):
-        figure = measured_figure(comparison(row(inner_speed=30.0), row(inner_speed=fast)))
-        above, below = figure.axes
-        assert (above.get_xscale(), above.get_yscale(), below.get_xscale()) == (scale,) * 3
-        require_legible(figure)

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
-from matplotlib.text import Annotation
 from pydantic import TypeAdapter
 
 from analytic.units import METRIC
@@ -101,26 +100,6 @@ def test_bars_reach_to_the_changes_in_per_cent(document: Report) -> None:
     assert "groove, 0.498: no" in caption
 
 
-def test_values_at_bars_on_one_side_stand_apart(document: Report) -> None:
-    """Bars are 0.36 of a row apart, and the letters of a row are nearly as high as that: each is moved outwards."""
-    figure, _ = sensitivity_plot(document)
-    present(figure).canvas.draw()
-    panel = present(figure).axes[0]
-    texts = {text.get_text(): text for text in panel.texts if isinstance(text, Annotation)}
-    low, high = texts["0.2 um"], texts["0.5 um"]
-    ends = panel.transData.transform([low.xy, high.xy])[:, 1]
-    moved = low.xyann[1] - high.xyann[1]
-    assert moved != 0
-    assert np.sign(moved) == np.sign(ends[0] - ends[1])
-
-
-def test_a_radial_load_stands_with_its_point(inputs: list[dict[str, Any]]) -> None:
-    point = {"quantity": "total_torque", "pair": None, "inner_speed": 31.0, "axial_load": 0.0, "moment": 0.0}
-    outputs = [point | {"radial_load": 1500.0, "value": 21.5e-3}, point | {"radial_load": 2500.0, "value": 33e-3}]
-    figure, _ = sensitivity_plot(document_of(outputs, inputs))
-    assert "0 N axial, 1500 N radial:\n21.5 N mm" in present(figure).axes[0].get_title()
-
-
 def test_pressures_name_their_race(inputs: list[dict[str, Any]]) -> None:
     nowhere = dict.fromkeys(("inner_speed", "axial_load", "radial_load", "moment"))
     output = {"quantity": "peak_pressure", "pair": "outer", "value": 1.67e9} | nowhere
@@ -129,13 +108,6 @@ def test_pressures_name_their_race(inputs: list[dict[str, Any]]) -> None:
     (panel,) = present(figure).axes
     assert panel.get_title() == "ball on outer race: 1.67 GPa"
     assert panel.get_xlabel() == "change of the peak pressure, %"
-
-
-def test_without_numbers_there_is_a_word() -> None:
-    assert sensitivity_plot(cast(Report, SimpleNamespace(sensitivity=None, units=METRIC))) == (
-        None,
-        "No sensitivity was computed.",
-    )
 
 
 def test_a_figure_grows_with_its_inputs_and_draws_at_most_twelve(document: Report) -> None:
@@ -174,10 +146,8 @@ def test_a_change_of_less_than_a_millionth_is_named_alone(document: Report) -> N
         assert ("Changes below 1e-4 %: still." in caption) != drawn
 
 
-def test_a_value_stands_beyond_the_end_of_its_bar(document: Report) -> None:
-    panel = present(sensitivity_plot(document)[0]).axes[0]
-    for text in panel.texts:
-        assert isinstance(text, Annotation)
-        change = text.xy[0]
-        assert np.sign(text.xyann[0]) == np.sign(change)
-        assert text.get_horizontalalignment() == ("left" if change > 0 else "right")
+def test_a_radial_load_stands_with_its_point(inputs: list[dict[str, Any]]) -> None:
+    point = {"quantity": "total_torque", "pair": None, "inner_speed": 31.0, "axial_load": 0.0, "moment": 0.0}
+    outputs = [point | {"radial_load": 1500.0, "value": 21.5e-3}, point | {"radial_load": 2500.0, "value": 33e-3}]
+    figure, _ = sensitivity_plot(document_of(outputs, inputs))
+    assert "0 N axial, 1500 N radial:\n21.5 N mm" in present(figure).axes[0].get_title()

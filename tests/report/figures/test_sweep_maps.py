@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 import xarray
 from matplotlib.colors import LogNorm
-from matplotlib.contour import ContourSet
 
 from fembearing.report.figures.sweep_maps import map_figure, write_maps
 
@@ -55,22 +54,6 @@ def mesh_of(panel: Any) -> Any:
     return found
 
 
-def test_four_panels_stand_in_a_square_and_others_in_rows_of_three() -> None:
-    for count, rows, columns in ((1, 1, 1), (3, 1, 3), (4, 2, 2), (5, 2, 3)):
-        grid = {"load": np.arange(1.0, 8.0), "speed": np.arange(2.0, 9.0)}
-        figure = map_figure(made(**grid, viscosity=0.1 * np.arange(1, 1 + count)), "torque_total")
-        panels = [panel for panel in figure.axes if panel.get_subplotspec() is not None and panel.axison][:count]
-        places = [panel.get_subplotspec() for panel in panels]
-        found = [(place.rowspan.start, place.colspan.start) for place in places if place is not None]
-        assert found == [divmod(number, columns) for number in range(count)]
-        assert [bool(panel.get_xlabel()) for panel in panels] == [row == rows - 1 for row, _ in found]
-        assert [bool(panel.get_ylabel()) for panel in panels] == [column == 0 for _, column in found]
-        width, height = figure.get_size_inches()
-        assert (width / columns, height / rows) > (4.6, 3.6)  # inches: panels keep their size
-        assert width / columns < 7
-        assert height / rows < 5
-
-
 def test_a_wide_range_of_values_has_a_logarithmic_scale() -> None:
     dataset = made(load=[100.0, 300.0, 500.0, 900.0], speed=[50.0, 90.0, 500.0])
     for most, wide in ((0.19, False), (0.21, True)):
@@ -84,23 +67,6 @@ def test_a_wide_range_of_values_has_a_logarithmic_scale() -> None:
     assert not isinstance(mesh_of(map_figure(dataset, "torque_total").axes[0]).norm, LogNorm)
 
 
-def test_contours_stand_at_round_values_inside_the_range() -> None:
-    """The values are 1000 times as large in N mm: 10 to 70."""
-    dataset = made(load=[100.0, 300.0, 500.0, 900.0], speed=[50.0, 90.0, 500.0])
-    dataset["torque_total"].values[:] = np.linspace(0.01, 0.07, 12).reshape(4, 3)
-    panel = map_figure(dataset, "torque_total").axes[0]
-    (contours,) = (part for part in panel.get_children() if isinstance(part, ContourSet))
-    levels = np.asarray(contours.levels)
-    assert levels.tolist() == sorted(levels.tolist())
-    assert np.all((levels > 10) & (levels < 70))
-    np.testing.assert_allclose(np.diff(levels), levels[1] - levels[0], rtol=1e-9)
-    assert 4 <= levels.size <= 8
-    dataset["torque_total"].values[:] = 0.02
-    assert not [
-        part for part in map_figure(dataset, "torque_total").axes[0].get_children() if isinstance(part, ContourSet)
-    ]
-
-
 def test_cells_of_a_logarithmic_axis_end_in_the_middle_of_the_logarithm() -> None:
     dataset = made(load=[10.0, 40.0, 160.0, 640.0], speed=[50.0, 90.0, 130.0])
     dataset["torque_total"][1, 1] = np.nan
@@ -110,16 +76,6 @@ def test_cells_of_a_logarithmic_axis_end_in_the_middle_of_the_logarithm() -> Non
     corners = np.asarray(mesh_of(panel).get_coordinates())
     np.testing.assert_allclose(corners[:, 0, 1], [5, 20, 80, 320, 1280], rtol=1e-9)
     np.testing.assert_allclose(corners[0, :, 0], [30, 70, 110, 150], rtol=1e-9)
-
-
-def test_too_many_lines_are_thinned_evenly_with_both_ends() -> None:
-    for count, names in ((8, range(8)), (9, (0, 1, 2, 3, 5, 6, 7, 8)), (15, range(0, 15, 2))):
-        dataset = made(name=[f"B{number}" for number in range(count)], load=[1.0, 2.0, 3.0])
-        (panel,) = map_figure(dataset, "torque_total").axes
-        assert [line.get_label() for line in panel.lines] == [f"name B{number}" for number in names]
-    assert panel.get_legend() is not None
-    (alone,) = map_figure(made(load=[1.0, 2.0, 3.0]), "torque_total").axes
-    assert alone.get_legend() is None
 
 
 def test_discrepancies_are_shown_in_per_cent() -> None:
@@ -147,3 +103,13 @@ def test_lines_are_over_the_longest_axis_where_none_has_three_numbers() -> None:
         (panel,) = map_figure(made(**axes), "torque_total").axes
         assert [text.get_text() for text in panel.get_xticklabels()] == ["a", "b", "c", "d"]
         assert [line.get_label() for line in panel.lines] == ["pair inner", "pair outer"]
+
+
+def test_too_many_lines_are_thinned_evenly_with_both_ends() -> None:
+    for count, names in ((8, range(8)), (9, (0, 1, 2, 3, 5, 6, 7, 8)), (15, range(0, 15, 2))):
+        dataset = made(name=[f"B{number}" for number in range(count)], load=[1.0, 2.0, 3.0])
+        (panel,) = map_figure(dataset, "torque_total").axes
+        assert [line.get_label() for line in panel.lines] == [f"name B{number}" for number in names]
+    assert panel.get_legend() is not None
+    (alone,) = map_figure(made(load=[1.0, 2.0, 3.0]), "torque_total").axes
+    assert alone.get_legend() is None

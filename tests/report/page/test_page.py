@@ -14,7 +14,6 @@ from analytic.oil.own_law import own_traction
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene
 from fembearing.check.validation import Validation
-from fembearing.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.provenance import provenance_of
 from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.pictures.draw import Picture
@@ -136,14 +135,6 @@ def test_oil_surface_and_own_law_are_those_of_the_scene(checked: Validation) -> 
         f"own law of traction mine of own-laws 1.2, SHA-256 {law.sha256[:12]}",
     ):
         assert said in words
-
-
-def test_the_page_says_the_rules_of_its_intervals(page: Page) -> None:
-    """In the constants of the code, which may change."""
-    words = " ".join(page.text.split())
-    assert f"the remainder of the last change with order {UNSTEADY:g}, plus {LEAST:.2%}".replace("%", " %") in words
-    assert f"three times the last change, plus {LEAST:.2%}. All have {FINEST:.3%} more".replace("%", " %") in words
-    assert (HALF, CAUTIOUS) == (1 / 2, 3)  # "half the extrapolation's step", "three times"
 
 
 def test_names_from_a_scene_cannot_break_the_page(checked: Validation) -> None:

@@ -2,7 +2,6 @@
 
 import re
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -13,7 +12,6 @@ from fembearing.check.validation import Validation
 from fembearing.report.folder import report_page
 from fembearing.report.page.document import css_string
 from fembearing.report.report import Report, report_of
-from fembearing.report.sections.points import shown_places
 from tests.analytic.specimens import present
 from tests.report.page.tables_of_page import Tables
 
@@ -60,14 +58,6 @@ def test_at_most_twelve_points_are_in_the_summary_and_all_in_the_appendix(
             assert row[2] == f"{point['axial_load']:.5g}"
             assert float(row[1]) == pytest.approx(30 / np.pi * point["inner_speed"], rel=1e-4)  # five digits
             assert float(row[place]) == pytest.approx(1e3 * point["torque_total"], rel=5e-4)  # four digits
-
-
-@pytest.mark.parametrize("count", [13, 14, 25, 120])
-def test_the_points_of_the_summary_are_spread_over_the_series(made: Validation, count: int) -> None:
-    chosen = shown_places(present(with_points(made, count).solved))
-    assert len(chosen) == 12
-    gaps = [after - before for before, after in pairwise(chosen)]
-    assert max(gaps) <= 2 + count / 7  # eight of twelve are spread evenly, whatever the largest and the smallest are
 
 
 def test_who_signs_is_shown_as_text(document: Report) -> None:

@@ -25,7 +25,6 @@ def odd_pictures(checked: Validation, cut: ContactSolution, folder: Path) -> dic
         "cut view": (on_level(cut, 1), "view"),
         "race": (with_ellipses(on_level(race, 0), computed=(1.15, 1.2), hertz=(1.3, 1.05)), "pressure"),
         "pocket": (with_ellipses(on_level(seat, 0), computed=(1.3, 1.1), hertz=(1.15, 1.25)), "pressure"),
-        "small": (with_small_body(on_level(seat, 0)), "section"),
     }
     made = {}
     for name, (contact, kind) in contacts.items():
@@ -54,11 +53,3 @@ def with_ellipses(
         for name, by_fe, by_hertz in zip(names, computed, hertz, strict=True)
     }
     return contact.with_numbers(quantities=found | made)
-
-
-def with_small_body(contact: ContactSolution) -> ContactSolution:
-    """As the block of a pocket's tiny contact is: an eighth of the ball."""
-    finest = contact.meshes[-1]
-    lower = finest.pair.lower
-    small = replace(lower, mesh=replace(lower.mesh, doflocs=0.4 * lower.mesh.doflocs))
-    return replace(contact, meshes=(replace(finest, pair=replace(finest.pair, lower=small)),))

@@ -2,13 +2,10 @@
 
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
 from fembearing.report.sections.creep import creep_table
 from tests.report.specimens import NOTHING, numbers, race
-
-RPM = np.pi / 30  # rad/s
 
 
 @pytest.mark.parametrize("method", ["formula", "production", "reference"])

@@ -2,14 +2,10 @@
 
 from dataclasses import replace
 
-import numpy as np
-
 from analytic.prediction.steady import SteadyTemperature
 from analytic.units import INCH_POUND
 from fembearing.report.sections.duty import MOST_ROWS, NOTES, cycle_table, steps_table
 from tests.report.specimens import cycle, step
-
-RPM = np.pi / 30
 
 
 def test_oil_that_warms_by_friction_is_steady_and_says_why() -> None:
