@@ -13,7 +13,9 @@ BROUGHT_BY = {
     "skfem": ("scikit-fem", "check"),
     **{name: (name, "check") for name in ("jinja2", "matplotlib", "meshio", "pyvista", "threadpoolctl")},
     **{name: (name, "sweep") for name in ("dask", "distributed", "netCDF4", "openpyxl", "pandas", "xarray")},
-    "nicegui": ("nicegui", "app"),
+    **dict.fromkeys(("nicegui", "fastapi", "starlette"), ("nicegui", "app")),
+    "SurfaceTopography": ("SurfaceTopography", "profilometer"),
+    **dict.fromkeys(("numba", "llvmlite"), ("numba", "jit")),
 }
 
 

@@ -32,7 +32,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.errors import FembearingError
+from analytic.errors import FembearingError, require_packages
 from analytic.numerics.compilation import EXACT, Compiled, Freedoms
 from analytic.processes import MODULE, environment
 
@@ -96,7 +96,7 @@ _kept: list[Any] = []  # what holds the code: it is never freed
 
 
 class CompilerError(FembearingError):
-    """Formulas have to be compiled, and numba is not installed."""
+    """Formulas do not compile."""
 
 
 def entry(layout: Callable[[], dict[str, Layout]], *, fastmath: Freedoms = EXACT) -> Callable[[Any], "Entry"]:
@@ -136,7 +136,7 @@ def loaded(entry: Entry, family: str | None = None) -> Callable[..., int]:
     """The machine code of an entry, for the flat arguments of `Entry.bound`.
 
     family : of `families`, which this machine belongs to; None: the best one
-    Raises CompilerError where it has to be built, and numba is not installed.
+    Raises MissingPackageError where it has to be built, and numba is not installed; CompilerError where it fails.
     """
     family = family or _family()
     with _loading:
@@ -198,12 +198,8 @@ def _intact(entry: Entry, family: str) -> bytes | None:
 def _built(entry: Entry, family: str) -> bytes:
     """The code of a file that is built now."""
     import tempfile
-    from importlib.util import find_spec
 
-    if find_spec("numba") is None:
-        raise CompilerError(
-            f"{entry.name} is not compiled for this machine, and numba is not installed: pip install 'fembearing[jit]'"
-        )
+    require_packages(f"to compile {entry.name} for this machine, fembearing", "numba")
     _announce()
     with tempfile.TemporaryDirectory() as scratch:
         if build_process([entry.name], [family], Path(scratch)).wait():

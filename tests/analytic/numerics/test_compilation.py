@@ -127,7 +127,7 @@ def test_a_damaged_file_is_compiled_again(first: tuple[Path, str], damage: str, 
 def test_without_a_compiler_one_line_says_what_to_install(tmp_path: Path) -> None:
     done = run(tmp_path, WITHOUT_NUMBA)
     assert done.returncode != 0
-    assert "pip install 'fembearing[jit]'" in done.stderr.splitlines()[-1]
+    assert 'pip install ".[jit]"' in done.stderr.splitlines()[-1]
 
 
 def test_where_nothing_can_be_kept_the_answer_is_the_same(first: tuple[Path, str], tmp_path: Path) -> None:
