@@ -13,9 +13,9 @@ import json
 import struct
 from collections.abc import Callable
 from io import BytesIO
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from elftools.elf.elffile import ELFFile  # pyright: ignore[reportMissingImports, reportMissingTypeStubs]
+from elftools.elf.elffile import ELFFile
 
 from analytic.numerics.machine_code import ADDRESS, STUB
 
@@ -71,7 +71,7 @@ def linked(code: bytes, name: str) -> bytes:
     code : an object file
     Raises RuntimeError for what a block cannot have: data that change, and other relocations.
     """
-    file = ELFFile(BytesIO(code))
+    file: Any = ELFFile(BytesIO(code))
     machine = file["e_machine"]
     block, starts = bytearray(), {}
     for number, section in enumerate(file.iter_sections()):
@@ -87,7 +87,7 @@ def linked(code: bytes, name: str) -> bytes:
     stubs = {each: len(block) + number * STUB for number, each in enumerate(called)}
     block += (JUMPS[machine] + bytes(ADDRESS)) * len(called)
 
-    def start_of(symbol) -> int:
+    def start_of(symbol: Any) -> int:
         return stubs[symbol.name] if symbol.name in stubs else starts[symbol["st_shndx"]] + symbol["st_value"]
 
     addresses = []

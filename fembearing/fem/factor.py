@@ -18,12 +18,12 @@ from scipy.sparse.linalg import splu
 from analytic.scene import Array
 
 try:
-    from pymklpardiso import MTYPE_REAL_SYM_POSDEF as POSITIVE_DEFINITE
     from pymklpardiso import PardisoSolver
 except ImportError:  # other processors than x86-64 have no MKL
     PardisoSolver = None
 
 OUT_OF_MEMORY = ("not enough memory", "32-bit integer overflow", "not enough out-of-core memory")  # in its errors
+POSITIVE_DEFINITE = 2  # its type of matrices that are real and symmetric too
 RELEASE, FORWARD, SOLUTION = 0, 331, 33  # phases of PARDISO
 PERMANENT, FACTORS = 15, 16  # indices of its counts of memory, kB
 AT_ONCE = 64  # columns of a border that are dense at a time
