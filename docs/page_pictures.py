@@ -34,6 +34,7 @@ PICTURES: dict[str, dict[str, str]] = {  # of a page: what its commands write, a
         "torque-of-my-bearing/interval.png": "interval-6206.png",
     },
     "tutorials/shaft.md": {"spin-down.svg": "spin-down.svg"},
+    "tutorials/torque.md": {"torque-of-6206.png": "torque-over-speed.png"},
 }
 
 
