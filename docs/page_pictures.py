@@ -13,13 +13,11 @@ DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS.parent))  # tests.executed_pages
 
 PICTURES: dict[str, dict[str, str]] = {  # of a page: what its commands write, and its name in docs/pictures
-    "how-to/bearing.md": {"drawing-of-my-6305.svg": "drawing-6305.svg", "unknown.svg": "torque-unknown.svg"},
+    "how-to/bearing.md": {"drawing-of-my-6305.svg": "drawing-6305.svg"},
     "how-to/cage.md": {"motion-of-my-cage/1-cage-forces.png": "cage-forces.png"},
     "how-to/compare-with-measurements.md": {"comparison/compare.png": "compare-3mm.png"},
     "how-to/duty-cycle.md": {"losses/duty.png": "duty-6206.png"},
-    "how-to/export.md": {"export-6206.png": "export-6206.png"},
     "how-to/loads.md": {"loads.svg": "torque-loads.svg"},
-    "how-to/netcdf.md": {"netcdf.svg": "netcdf.svg"},
     "how-to/oil.md": {"data_sheet.svg": "torque-data-sheet.svg"},
     "how-to/roughness.md": {"profile.svg": "torque-profile.svg"},
     "how-to/traction-law.md": {"traction-law.png": "traction-law.png"},
