@@ -20,7 +20,6 @@ PICTURES: dict[str, dict[str, str]] = {  # of a page: what its commands write, a
     "how-to/loads.md": {"loads.svg": "torque-loads.svg"},
     "how-to/oil.md": {"data_sheet.svg": "torque-data-sheet.svg"},
     "how-to/roughness.md": {"profile.svg": "torque-profile.svg"},
-    "how-to/traction-law.md": {"traction-law.png": "traction-law.png"},
     "tutorials/contact.md": {"pressure.svg": "contact-pressure.svg"},
     "tutorials/film.md": {"film-of-the-inner-race/film.png": "6205-inner-film.png"},
     "tutorials/friction.md": {"friction-of-my-bearing/inner-creep.png": "6205-inner-creep.png"},
