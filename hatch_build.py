@@ -24,7 +24,7 @@ class MachineCode(BuildHookInterface[Any]):
         statuses = [run.wait() for run in runs]
         if any(statuses):
             raise RuntimeError("formulas did not compile: see above")
-        for file in made.glob("*.o"):
+        for file in made.glob("*.code"):
             build_data["force_include"][str(file)] = (OBJECTS / file.name).relative_to(self.root).as_posix()
         build_data["pure_python"] = False
         build_data["tag"] = f"py3-none-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"

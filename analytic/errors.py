@@ -10,11 +10,12 @@ from analytic.given import has_unit, why_no_unit
 
 # Modules that not every installation has: the package of each, and the extra of fembearing that has it.
 BROUGHT_BY = {
-    "skfem": ("scikit-fem", ""),
-    "threadpoolctl": ("threadpoolctl", ""),
-    **{name: (name, "") for name in ("jinja2", "matplotlib", "meshio", "pyvista")},
+    "skfem": ("scikit-fem", "check"),
+    **{name: (name, "check") for name in ("jinja2", "matplotlib", "meshio", "pyvista", "threadpoolctl")},
     **{name: (name, "sweep") for name in ("dask", "distributed", "netCDF4", "openpyxl", "pandas", "xarray")},
-    "nicegui": ("nicegui", "app"),
+    **dict.fromkeys(("nicegui", "fastapi", "starlette"), ("nicegui", "app")),
+    "SurfaceTopography": ("SurfaceTopography", "profilometer"),
+    **dict.fromkeys(("numba", "llvmlite"), ("numba", "jit")),
 }
 
 
@@ -40,8 +41,7 @@ class MissingPackageError(FembearingError, ImportError):
     def __init__(self, purpose: str, module: str) -> None:
         """purpose : what needs it; module : a key of `BROUGHT_BY`"""
         package, extra = BROUGHT_BY[module]
-        together = " ".join(each for each, of in BROUGHT_BY.values() if of == extra)  # needed by the same commands
-        super().__init__(f"{purpose} needs {package}: pip install {together}")
+        super().__init__(f'{purpose} needs {package}: pip install ".[{extra}]" in the folder of fembearing')
 
 
 class ConvergenceError(FembearingError):

@@ -293,7 +293,7 @@ def looked_up(name: str) -> Unit | None:
         return None
     if not isclose(two - one, one - zero, rel_tol=1e-15):
         return None
-    return Unit(one - zero, frozenset((root, int(power)) for root, power in roots[0]._units.items()), zero)
+    return Unit(one - zero, frozenset((root, int(power)) for root, power in roots[0].unit_items()), zero)
 
 
 @cache

@@ -13,27 +13,22 @@ DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS.parent))  # tests.executed_pages
 
 PICTURES: dict[str, dict[str, str]] = {  # of a page: what its commands write, and its name in docs/pictures
-    "how-to/bearing.md": {"drawing-of-my-6305.svg": "drawing-6305.svg", "unknown.svg": "torque-unknown.svg"},
+    "how-to/bearing.md": {"drawing-of-my-6305.svg": "drawing-6305.svg"},
     "how-to/cage.md": {"motion-of-my-cage/1-cage-forces.png": "cage-forces.png"},
-    "how-to/ci.md": {"torque.svg": "torque-ci.svg"},
     "how-to/compare-with-measurements.md": {"comparison/compare.png": "compare-3mm.png"},
     "how-to/duty-cycle.md": {"losses/duty.png": "duty-6206.png"},
-    "how-to/export.md": {"export-6206.png": "export-6206.png"},
     "how-to/loads.md": {"loads.svg": "torque-loads.svg"},
-    "how-to/netcdf.md": {"netcdf.svg": "netcdf.svg"},
     "how-to/oil.md": {"data_sheet.svg": "torque-data-sheet.svg"},
     "how-to/roughness.md": {"profile.svg": "torque-profile.svg"},
-    "how-to/traction-law.md": {"traction-law.png": "traction-law.png"},
     "tutorials/contact.md": {"pressure.svg": "contact-pressure.svg"},
     "tutorials/film.md": {"film-of-the-inner-race/film.png": "6205-inner-film.png"},
     "tutorials/friction.md": {"friction-of-my-bearing/inner-creep.png": "6205-inner-creep.png"},
     "tutorials/map.md": {"map-of-my-bearing/maps/torque_total.png": "map-6206.png"},
     "tutorials/report.md": {
         "drawing-of-6206.svg": "drawing-6206.svg",
-        "torque-of-my-bearing/torque.svg": "torque-6206.svg",
         "torque-of-my-bearing/interval.png": "interval-6206.png",
     },
-    "tutorials/shaft.md": {"spin-down.svg": "spin-down.svg"},
+    "tutorials/torque.md": {"torque-of-6206.png": "torque-over-speed.png"},
 }
 
 

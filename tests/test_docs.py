@@ -25,7 +25,6 @@ LONG = {
     "contacts.md",
     "friction.md",
     "map.md",
-    "netcdf.md",
     "report.md",
 }
 TEXTS = [

@@ -29,15 +29,10 @@ def extra(name: str) -> set[str]:
     return found
 
 
-def test_the_torque_alone_needs_a_part_of_the_dependencies() -> None:
-    lines = (ROOT / "requirements-torque.txt").read_text("utf-8").splitlines()
-    torque = {line for line in lines if not line.startswith("#")}
-    assert torque < set(PROJECT["dependencies"])
-    packages = {package for package, installed_by in BROUGHT_BY.values() if not installed_by}
-    left_out = {Requirement(line).name for line in set(PROJECT["dependencies"]) - torque}
-    assert left_out == packages | {"py-mkl-pardiso"}  # which SciPy can replace
-
-
 def test_an_error_names_the_extra_that_has_the_package() -> None:
     for package, name in BROUGHT_BY.values():
-        assert not name or package in extra(name) | {"dask"}  # distributed needs the same version of it
+        assert package in extra(name) | {"dask"}  # distributed needs the same version of it
+
+
+def test_the_torque_needs_no_package_of_the_check() -> None:
+    assert not {Requirement(line).name for line in PROJECT["dependencies"]} & extra("check")

@@ -1,4 +1,4 @@
-"""The object files of entries, made by numba and LLVM. Nothing else of the package loads a compiler.
+"""The machine code of entries, made by numba and LLVM. Nothing else of the package loads a compiler.
 
 python -m analytic.numerics.building FOLDER FAMILY ... of ENTRY ...
 """
@@ -14,6 +14,7 @@ from typing import Any
 import llvmlite.binding as llvm
 import numba
 
+from analytic.numerics.linking import linked
 from analytic.numerics.machine_code import OF_C, Entry, arguments, digest, file_name, symbol
 
 # Functions that numba calls where a formula has raised, which none does, and what they do
@@ -22,12 +23,12 @@ TRAP = "{} {{\n call void @llvm.trap()\n unreachable\n}}\ndeclare void @llvm.tra
 
 
 def build(names: Iterable[str], families: Iterable[str], folder: Path) -> None:
-    """Write the object files of entries into a folder, by numba. Raises OSError where it takes none."""
+    """Write the files of entries into a folder, by numba. Raises OSError where it takes none."""
     gc.disable()  # what the compiler makes is much, and stays
     for entry in map(resolve_name, names):
         text, made = _assembly(entry)
         for family in families:
-            code = _object(text, made, symbol(entry), family)
+            code = linked(_object(text, made, symbol(entry), family), symbol(entry))
             (folder / file_name(entry, family)).write_bytes(digest(code) + code)
 
 
@@ -61,8 +62,9 @@ def _object(text: str, made: str, name: str, family: str) -> bytes:
             module.link_in(llvm.parse_assembly(TRAP.format(head)))
         elif not function.name.startswith("llvm.") and function.name not in OF_C:
             raise RuntimeError(f"{name} calls {function.name}: formulas of an entry make no arrays and raise nothing")
+    module.triple = llvm.get_process_triple() + ("" if sys.platform == "linux" else "-elf")  # a block is made of ELF
     target = llvm.Target.from_triple(module.triple)
-    machine = target.create_target_machine(cpu=family, opt=3, reloc="static", codemodel="large")
+    machine = target.create_target_machine(cpu=family, opt=3, reloc="pic", codemodel="small")
     passes = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=3))
     rotated = llvm.newpassmanagers.create_new_module_pass_manager()  # loops that the next passes can vectorise
     rotated.add_loop_rotate_pass()

@@ -5,8 +5,8 @@
 
 An entry takes numbers, records and arrays. What it calls makes no arrays.
 
-The code is built with the wheel, else by numba at the first use, see `analytic.numerics.building`. An object file holds
-one entry for one family of processors. Its name has a digest of what it was made of: the formulas of this package, the
+The code is built with the wheel, else by numba at the first use, see `analytic.numerics.building`. A file holds one
+entry for one family of processors. Its name has a digest of what it was made of: the formulas of this package, the
 entry's own file, and the layout of its arguments. It begins with the digest of the rest, so that a damaged file is
 noticed. A wheel has its files in `OBJECTS`. Others are kept in the folder FEMBEARING_CACHE, else in the platform's
 folder for caches, which can be deleted at any time.
@@ -14,6 +14,8 @@ folder for caches, which can be deleted at any time.
 
 import ctypes
 import hashlib
+import json
+import mmap
 import os
 import platform
 import subprocess
@@ -30,7 +32,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.errors import FembearingError
+from analytic.errors import FembearingError, require_packages
 from analytic.numerics.compilation import EXACT, Compiled, Freedoms
 from analytic.processes import MODULE, environment
 
@@ -46,7 +48,7 @@ ENTRIES = (  # of a wheel, the longest one first
 BUILDER = "analytic.numerics.building"
 PACKAGE = Path(__file__).parents[1]
 DIGEST = 64  # characters of a digest
-OBJECTS = Path(__file__).parent / "objects"
+OBJECTS, ENDING = Path(__file__).parent / "objects", ".code"
 CACHE = "FEMBEARING_CACHE"  # of the environment
 UNUSED = 30 * 24 * 3600.0  # s after which a file of another version is deleted
 # No formula imports these folders and files.
@@ -87,12 +89,14 @@ OF_C = (
 # Of an argument: a type of numbers, a structured type for one record, a number of dimensions for an array of floats,
 # both of these for an array of records, or a tuple of layouts with or without names.
 Layout = Any
+OF_WINDOWS = ("ucrtbase", "ntdll") if sys.platform == "win32" else ()  # libraries that have them there
+STUB, ADDRESS = 16, 8  # bytes of a stub of `linking`, and of the address at its end
 _loading = Lock()
-_kept: list[Any] = []  # what holds the code; LLVM frees nothing while signals may come
+_kept: list[Any] = []  # what holds the code: it is never freed
 
 
 class CompilerError(FembearingError):
-    """Formulas have to be compiled, and numba is not installed."""
+    """Formulas do not compile."""
 
 
 def entry(layout: Callable[[], dict[str, Layout]], *, fastmath: Freedoms = EXACT) -> Callable[[Any], "Entry"]:
@@ -132,13 +136,13 @@ def loaded(entry: Entry, family: str | None = None) -> Callable[..., int]:
     """The machine code of an entry, for the flat arguments of `Entry.bound`.
 
     family : of `families`, which this machine belongs to; None: the best one
-    Raises CompilerError where it has to be built, and numba is not installed.
+    Raises MissingPackageError where it has to be built, and numba is not installed; CompilerError where it fails.
     """
     family = family or _family()
     with _loading:
         kinds = [ctypes.c_double if kind is float else ctypes.c_int64 for _, kind in arguments(entry)[0]]
         code = _intact(entry, family) or _built(entry, family)
-        return ctypes.CFUNCTYPE(ctypes.c_int64, *kinds)(_address(entry, code))
+        return ctypes.CFUNCTYPE(ctypes.c_int64, *kinds)(_address(code))
 
 
 def build_process(names: Iterable[str], families: Iterable[str], folder: Path) -> "subprocess.Popen[bytes]":
@@ -154,7 +158,7 @@ def families() -> tuple[str, ...]:
 
 
 def cache_folder() -> Path:
-    """Where object files are kept. Raises OSError if the user has no such folder."""
+    """Where files of code are kept. Raises OSError if the user has no such folder."""
     caches = {"darwin": "~/Library/Caches", "win32": "~/AppData/Local"}.get(sys.platform, "~/.cache")
     given = os.environ.get(CACHE) or os.path.join(os.environ.get("XDG_CACHE_HOME") or caches, "fembearing")
     folder = Path(os.path.expanduser(given)).absolute()
@@ -166,17 +170,20 @@ def cache_folder() -> Path:
 @cache
 def _family() -> str:
     """The best one that this machine has; an unknown processor is of the last one."""
-    import llvmlite.binding as llvm
-
-    has: Any = {}
-    with suppress(RuntimeError):  # LLVM does not know the processor
-        has = llvm.get_host_cpu_features()
+    has: set[str] = set()
+    with suppress(OSError):
+        for line in Path("/proc/cpuinfo").read_text("utf-8", "replace").splitlines():
+            if line.startswith("flags"):
+                has = {*line.split()}
+                break
+    if sys.platform == "win32" and ctypes.windll.kernel32.IsProcessorFeaturePresent(40):  # AVX2: fma and bmi2 too
+        has = {*X86[0][1]}
     of_machine = FAMILIES.get(platform.machine().lower(), GENERIC)
-    return next(name for name, needs in of_machine if all(has.get(each) for each in needs))
+    return next(name for name, needs in of_machine if has.issuperset(needs))
 
 
 def _intact(entry: Entry, family: str) -> bytes | None:
-    """The code of an object file that is there and not damaged."""
+    """The code of a file that is there and not damaged."""
     for folder in (OBJECTS, cache_folder):
         with suppress(OSError):
             file = (folder if isinstance(folder, Path) else folder()) / file_name(entry, family)
@@ -190,14 +197,10 @@ def _intact(entry: Entry, family: str) -> bytes | None:
 
 
 def _built(entry: Entry, family: str) -> bytes:
-    """The code of an object file that is built now."""
+    """The code of a file that is built now."""
     import tempfile
-    from importlib.util import find_spec
 
-    if find_spec("numba") is None:
-        raise CompilerError(
-            f"{entry.name} is not compiled for this machine, and numba is not installed: pip install 'fembearing[jit]'"
-        )
+    require_packages(f"to compile {entry.name} for this machine, fembearing", "numba")
     _announce()
     with tempfile.TemporaryDirectory() as scratch:
         if build_process([entry.name], [family], Path(scratch)).wait():
@@ -212,7 +215,7 @@ def _built(entry: Entry, family: str) -> bytes:
 
 def _keep(content: bytes, file: Path) -> None:
     file.parent.mkdir(parents=True, exist_ok=True)
-    for other in file.parent.glob("*.o"):
+    for other in file.parent.glob(f"*{ENDING}"):
         if other.stat().st_mtime < time.time() - UNUSED:
             other.unlink(missing_ok=True)
     own = file.with_suffix(f".{os.getpid()}")  # others see a whole file
@@ -220,25 +223,45 @@ def _keep(content: bytes, file: Path) -> None:
     os.replace(own, file)
 
 
-def _address(entry: Entry, code: bytes) -> int:
-    """Where the code is once it is loaded."""
+def _address(code: bytes) -> int:
+    """Where a function is once the code of `linking.linked` is in memory of its own, which nothing can change then.
+
+    Raises OSError where the system runs no code that a program loads.
+    """
     from ctypes.util import find_library
 
-    import llvmlite.binding as llvm
-
-    llvm.initialize_native_target()
-    llvm.initialize_native_asmprinter()
-    library = ctypes.CDLL("ucrtbase" if sys.platform == "win32" else find_library("m"))
-    for name in OF_C:
-        if llvm.address_of_symbol(name) is None and hasattr(library, name):
-            llvm.add_symbol(name, ctypes.cast(getattr(library, name), ctypes.c_void_p).value)
-    machine = llvm.Target.from_default_triple().create_target_machine(jit=True)
-    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
-    file = llvm.object_file.ObjectFileRef.from_data(code)
-    engine.add_object_file(file)
-    engine.finalize_object()
-    _kept.extend((machine, engine, file))
-    return engine.get_function_address(symbol(entry))
+    line, _, block = code.partition(b"\n")
+    head = json.loads(line)
+    libraries = [ctypes.CDLL(name) for name in OF_WINDOWS or (find_library("m"),)]
+    called = (next(getattr(each, name) for each in libraries if hasattr(each, name)) for name in head["called"])
+    targets = [ctypes.cast(function, ctypes.c_void_p).value for function in called]
+    size, system = (
+        ctypes.c_size_t(len(block)),
+        ctypes.WinDLL("kernel32") if sys.platform == "win32" else ctypes.CDLL(None),
+    )
+    if sys.platform == "win32":
+        system.VirtualAlloc.restype = ctypes.c_void_p
+        place = system.VirtualAlloc(None, size, 0x3000, 0x04)  # reserved and committed, to be read and written
+        if not place:
+            raise OSError("no memory for code")
+    else:
+        memory = mmap.mmap(-1, len(block), mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
+        _kept.append(held := ctypes.c_char.from_buffer(memory))
+        place = ctypes.addressof(held)
+    image = np.ctypeslib.as_array((ctypes.c_uint8 * len(block)).from_address(place))
+    image[:] = np.frombuffer(block, np.uint8)
+    stubs = image[len(block) - STUB * len(targets) :].reshape(-1, STUB)
+    stubs[:, -ADDRESS:] = np.array(targets, np.uint64)[:, np.newaxis].view(np.uint8)
+    for offset in head["addresses"]:
+        image[offset : offset + ADDRESS].view(np.uint64)[:] += np.uint64(place)
+    at = ctypes.c_void_p(place)
+    if sys.platform == "win32":
+        done = system.VirtualProtect(at, size, 0x20, ctypes.byref(ctypes.c_uint32()))  # to be read and run
+    else:
+        done = not system.mprotect(at, size, mmap.PROT_READ | mmap.PROT_EXEC)
+    if not done:
+        raise OSError("this system runs no code that a program loads; allow it for Python")
+    return place + head["start"]
 
 
 def arguments(entry: Entry) -> tuple[list[tuple[str, Any]], list[str]]:
@@ -270,15 +293,15 @@ def _expression(name: str, layout: Layout, flat: list[tuple[str, Any]]) -> str:
 
 
 def symbol(entry: Entry) -> str:
-    """Name of an entry's function in its object file."""
+    """Name of an entry's function."""
     return entry.name.replace(".", "_")
 
 
 def file_name(entry: Entry, family: str) -> str:
-    """Name of an object file."""
+    """Name of a file of code."""
     made_of = hashlib.sha256(f"{sys.platform} {entry.layout()}".encode() + _formulas())
     made_of.update(Path(getfile(entry.function)).read_bytes())
-    return f"{entry.name}-{made_of.hexdigest()[:16]}.{family}.o"
+    return f"{entry.name}-{made_of.hexdigest()[:16]}.{family}{ENDING}"
 
 
 @cache
@@ -292,7 +315,7 @@ def _formulas() -> bytes:
 
 
 def digest(code: bytes) -> bytes:
-    """How an object file begins."""
+    """How a file of code begins."""
     return hashlib.sha256(code).hexdigest().encode()
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from analytic.errors import InputError, require_positive
+from analytic.errors import InputError, MissingPackageError, require_positive
 from analytic.reading import content_of, require_regular, text_of
 from analytic.scene import Array
 from analytic.surface.instruments import FORMATS, METROPRO, instrument_map
@@ -89,7 +89,7 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float | None = Non
     try:
         found = read(path)
         return _checked(found, _one_spacing(found, spacing))
-    except InputError as problem:
+    except (InputError, MissingPackageError) as problem:
         raise InputError(f"{origin}: {problem}") from problem
     except Exception as problem:  # NumPy and zipfile raise different ones for damaged files, depending on the damage
         reason = plain(" ".join(str(problem).split())[:120])

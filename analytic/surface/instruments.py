@@ -9,13 +9,12 @@ import os
 import subprocess
 import sys
 from contextlib import suppress
-from importlib.util import find_spec
 from pathlib import Path
 from zipfile import ZipFile, is_zipfile
 
 import numpy as np
 
-from analytic.errors import InputError
+from analytic.errors import InputError, require_packages
 from analytic.processes import MODULE, environment
 from analytic.reading import require_deflated, require_regular
 from analytic.surface.map_data import MapData, require_matrix
@@ -43,13 +42,10 @@ def instrument_map(path: str | os.PathLike[str], kind: str = "") -> MapData:
     """The first map of heights in the file of an instrument.
 
     kind : format as SurfaceTopography names it, if the ending does not say it
-    Raises InputError for a file that cannot be read, and where SurfaceTopography is not installed.
+    Raises InputError for a file that cannot be read, MissingPackageError without SurfaceTopography.
     """
     require_regular(path, most=LARGEST, remedy="give the path of a height map")
-    if find_spec("SurfaceTopography") is None:
-        raise InputError(
-            f"needs SurfaceTopography, which is not installed: pip install 'fembearing[profilometer]', or {AGAIN}"
-        )
+    require_packages("its format", "SurfaceTopography")
     command = [*MODULE, __name__, os.path.abspath(path), kind or FORMATS[Path(path).suffix.lower()]]
     around = environment() | {"OPENBLAS_NUM_THREADS": "1"}  # each thread reserves memory
     try:

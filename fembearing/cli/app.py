@@ -8,8 +8,6 @@ import typer
 
 from fembearing.cli.status import say
 
-EXTRA = {"nicegui", "fastapi", "starlette"}  # packages of the extra `app`: the first brings the others
-
 
 def app(
     port: Annotated[int, typer.Option(min=1, max=65535, help="Port of the page.")] = 8080,
@@ -19,18 +17,11 @@ def app(
 
     The server listens at 127.0.0.1 only.
     """
-    from analytic.errors import InputError
     from fembearing.cli.console import out
 
     _require_free(port)
-    try:
-        from fembearing.app.server import HOST, serve
-    except ModuleNotFoundError as problem:
-        if (problem.name or "").partition(".")[0] not in EXTRA:
-            raise
-        raise InputError(
-            f"`fembearing app` needs {problem.name}, which is not installed: pip install 'fembearing[app]'"
-        ) from problem
+    from fembearing.app.server import HOST, serve
+
     address = f"http://{HOST}:{port}"
     shows = not no_browser and _has_browser()
     if not (shows or no_browser):

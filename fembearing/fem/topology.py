@@ -68,7 +68,6 @@ class Topology:
         self._place = place.ravel()
         self._lock = threading.Lock()
         self._factor: Factor | None = None
-        self._border: csr_matrix | None = None  # one with the stored entries of those that the factor is for
 
     def assembled(self, entries: Array) -> csr_matrix:
         """The upper triangle of the matrix of the free degrees of freedom, from the `cell_stiffness` of all cells."""
@@ -78,14 +77,14 @@ class Topology:
     def complement(self, upper: csr_matrix, border: csr_matrix) -> Array:
         """B.T K^-1 B, (k, k), for the upper triangle of K from `assembled`, and B, (n, k); raises as `Factor`."""
         with self._lock:
-            found = self._factor_of(upper, border).complement(upper, border)
+            found = self._factor_of(upper).complement(upper, border)
         _shrink()
         return found
 
     def solution(self, upper: csr_matrix, right: Array) -> Array:
         """K^-1 right, (n,); raises as `Factor`."""
         with self._lock:
-            return (self._factor or self._factor_of(upper, csr_matrix((right.size, 0)))).solution(upper, right)
+            return self._factor_of(upper).solution(upper, right)
 
     def forget_numbers(self) -> int:
         """Let go of the last matrix, unless it is in use; returns the bytes gained."""
@@ -104,15 +103,10 @@ class Topology:
         own = self._place.nbytes + self._columns.nbytes + self._starts.nbytes
         return own + (0 if self._factor is None else self._factor.memory)
 
-    def _factor_of(self, upper: csr_matrix, border: csr_matrix) -> Factor:
-        known = self._border
-        if self._factor is None or known is None or not _stored_alike(known, border):
-            self._factor, self._border = new_factor(upper, border), border
+    def _factor_of(self, upper: csr_matrix) -> Factor:
+        if self._factor is None:
+            self._factor = new_factor(upper)
         return self._factor
-
-
-def _stored_alike(one: csr_matrix, other: csr_matrix) -> bool:
-    return np.array_equal(one.indptr, other.indptr) and np.array_equal(one.indices, other.indices)
 
 
 _kept: OrderedDict[bytes, Topology] = OrderedDict()  # the one used last comes last

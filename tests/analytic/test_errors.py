@@ -1,5 +1,6 @@
 """Numbers that a formula refuses: one by one, a few, or the ends of many; and what the refusals say."""
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -81,7 +82,10 @@ def test_a_number_with_a_unit_is_refused_with_the_one_that_is_read() -> None:
 def test_a_missing_package_is_named_with_what_brings_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(errors, "find_spec", lambda module: None if module in ("xarray", "skfem") else object())
     require_packages("a figure", "matplotlib", "jinja2")
-    with pytest.raises(MissingPackageError, match=r"^a dataset needs xarray: pip install dask .*xarray$"):
-        require_packages("a dataset", "matplotlib", "xarray")
-    with pytest.raises(MissingPackageError, match=r"^a mesh needs scikit-fem: pip install scikit-fem .*$"):
-        require_packages("a mesh", "skfem")
+    for purpose, modules, package, extra in (
+        ("a dataset", ("matplotlib", "xarray"), "xarray", "sweep"),
+        ("a mesh", ("skfem",), "scikit-fem", "check"),
+    ):
+        words = f'{purpose} needs {package}: pip install ".[{extra}]" in the folder of fembearing'
+        with pytest.raises(MissingPackageError, match=f"^{re.escape(words)}$"):
+            require_packages(purpose, *modules)

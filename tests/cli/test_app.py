@@ -66,6 +66,4 @@ def test_without_the_extra_it_says_what_to_install(command, monkeypatch: pytest.
     monkeypatch.setitem(sys.modules, "nicegui", None)
     told = command("app", "--port", str(free_port()))
     assert (told.status, told.out) == (2, "")
-    assert told.err == (
-        "fembearing: `fembearing app` needs nicegui, which is not installed: pip install 'fembearing[app]'\n"
-    )
+    assert told.err == 'fembearing: app needs nicegui: pip install ".[app]" in the folder of fembearing\n'

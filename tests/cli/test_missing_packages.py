@@ -17,7 +17,7 @@ from analytic.errors import BROUGHT_BY
 from fembearing import cli
 from tests.analytic.scenefile.scene_texts import MOVING
 
-EXTRAS = [module for module, (_, extra) in BROUGHT_BY.items() if extra]  # lacking in a plain installation
+EXTRAS = [module for module, (_, extra) in BROUGHT_BY.items() if extra != "check"]
 SCENE = """\
 name = "small"
 tolerance = "5 %"
@@ -70,18 +70,17 @@ class Answer(NamedTuple):
     left: list[str]  # names of the files that were written
 
 
-DATA, BASE = (
-    f"pip install {' '.join(package for package, of in BROUGHT_BY.values() if of == extra)}" for extra in ("sweep", "")
-)
-SWEEP, PICTURES = f"sweep needs {{}}: {DATA}", f"--out {{!r}} needs matplotlib: {BASE}"
-THREADS, SOLVER = f"{{}} needs threadpoolctl: {BASE}", f"{{}} needs scikit-fem: {BASE}"
+HOW = 'pip install ".[{}]" in the folder of fembearing'
+SWEEP = f"sweep needs {{}}: {HOW.format('sweep')}"
+THREADS, SOLVER = (f"{{}} needs {each}: {HOW.format('check')}" for each in ("threadpoolctl", "scikit-fem"))
+PICTURES = f"--out {{!r}} needs matplotlib: {HOW.format('check')}"
 REFUSED = {  # by installation: what lacks a package, with what it says
     "plain": {
         "sweep ../grid.toml --out new": SWEEP.format("xarray"),
-        "compare ../s.toml ../rig.xlsx": f"../rig.xlsx needs openpyxl: {DATA}",
+        "compare ../s.toml ../rig.xlsx": f"../rig.xlsx needs openpyxl: {HOW.format('sweep')}",
         "import fembearing; fembearing.run_sweep('g.toml', out='o')": SWEEP.format("xarray"),
         "import analytic; analytic.friction_torque(analytic.load_scene('6205-dry')).to_dataset()": (
-            f"a dataset needs xarray: {DATA}"
+            f"a dataset needs xarray: {HOW.format('sweep')}"
         ),
     },
     "netCDF4": {"sweep ../grid.toml --out new": SWEEP.format("netCDF4")},
@@ -101,7 +100,6 @@ TORQUES = [
 ]
 CHECK = "validate ../s.toml --no-film --no-creep --tolerance 90% --json"  # on the coarsest meshes
 CAGE = "torque ../moving.toml --out new"
-# The last is what requirements-torque.txt leaves out.
 LACKING = {"plain": EXTRAS, "netCDF4": ["netCDF4"], "torque": [*BROUGHT_BY, "pymklpardiso"]}
 POSSIBLE = {"plain": [*TORQUES, CHECK, CAGE], "netCDF4": [], "torque": TORQUES}
 
@@ -171,7 +169,7 @@ def test_what_lacks_a_package_says_in_one_line_how_to_install_it(installation: I
 @PLAIN
 def test_a_folder_without_netcdf_says_that_the_series_of_the_cage_is_missing(installation: Installation) -> None:
     done, folder = installation.answers[CAGE], installation.folder_of(CAGE) / "new"
-    lacking = f"there is no series of the cage's motion: it needs xarray: {DATA}"
+    lacking = f"there is no series of the cage's motion: it needs xarray: {HOW.format('sweep')}"
     assert lacking in done.err
     assert {"1-cage.png", "1-cage-forces.png", "torque.json"} < {path.name for path in folder.iterdir()}
     motion = json.loads((folder / "torque.json").read_text("utf-8"))["cage_motion"]

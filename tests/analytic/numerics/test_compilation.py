@@ -100,7 +100,7 @@ def first(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
 
 
 def copied(cache: Path, to: Path) -> Path:
-    (file,) = cache.glob("*.o")
+    (file,) = cache.glob("*.code")
     (to / file.name).write_bytes(file.read_bytes())
     return to / file.name
 
@@ -127,7 +127,7 @@ def test_a_damaged_file_is_compiled_again(first: tuple[Path, str], damage: str, 
 def test_without_a_compiler_one_line_says_what_to_install(tmp_path: Path) -> None:
     done = run(tmp_path, WITHOUT_NUMBA)
     assert done.returncode != 0
-    assert "pip install 'fembearing[jit]'" in done.stderr.splitlines()[-1]
+    assert 'pip install ".[jit]"' in done.stderr.splitlines()[-1]
 
 
 def test_where_nothing_can_be_kept_the_answer_is_the_same(first: tuple[Path, str], tmp_path: Path) -> None:
@@ -148,7 +148,7 @@ def test_two_processes_at_once_have_the_same_answer(first: tuple[Path, str], tmp
 
 
 def test_files_that_nobody_uses_are_deleted(first: tuple[Path, str], tmp_path: Path) -> None:
-    old, recent = tmp_path / "old.o", tmp_path / "recent.o"
+    old, recent = tmp_path / "old.code", tmp_path / "recent.code"
     for file in (old, recent):
         file.touch()
     os.utime(old, (0, 0))

@@ -67,4 +67,4 @@ def test_what_is_no_map_is_refused_in_one_line(tmp_path: Path) -> None:
 def test_without_the_reader_one_line_names_the_extra(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "SurfaceTopography", None)
     file = sur(tmp_path / "race.sur", STEPS)
-    refused(lambda: read_height_map(file), "race.sur", "not installed", "fembearing[profilometer]")
+    refused(lambda: read_height_map(file), "needs SurfaceTopography", ".[profilometer]")
