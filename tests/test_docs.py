@@ -22,7 +22,6 @@ LONG = {
     "cage.md",
     "compare-with-measurements.md",
     "contact.md",
-    "contacts.md",
     "friction.md",
     "map.md",
     "netcdf.md",
