@@ -13,9 +13,12 @@ from functools import cache
 from types import MappingProxyType, NoneType, UnionType
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Protocol, Union, get_args, get_origin, get_type_hints
 
+import numpy as np
+
 from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.given import has_unit, why_no_unit
+from analytic.labelled import html_table
 from analytic.quantity import Dimension, Series, word_like
 from analytic.words import shown
 
@@ -101,6 +104,7 @@ class Switch:
         return given
 
 
+NUMBERS = (int, float, np.ndarray)  # of one operating point, or of each
 REQUIRED: Any = ...  # in place of a default
 AS_IN_PYTHON: Any = object()  # likewise
 
@@ -207,6 +211,22 @@ class Noun(Brief):
             # The usual word is known at once.
             if words.is_mapping or type(value) is not str or value not in words.kind.words:  # pyright: ignore
                 _require_words(f"{type(self).__name__}.{name}", words, value)
+
+    def _rows(self, owner: str = "") -> Iterator[list[str]]:
+        """Path, value and meaning of each field that is given, with those of the nouns in it."""
+        for name, said in declarations(type(self)).items():
+            value, path = getattr(self, name), f"{owner}{name}"
+            if isinstance(value, Noun):
+                yield from value._rows(f"{path}.")
+            elif isinstance(kind := getattr(said.kind, "of", said.kind), Dimension) and isinstance(value, NUMBERS):
+                ends = dict.fromkeys((float(np.min(value)), float(np.max(value))))
+                yield [path, f"{' to '.join(map(kind.written, ends))} {kind.shown_unit}".rstrip(), said.meaning]
+            elif isinstance(value, str | int) and value != "":
+                yield [path, str(value), said.meaning]
+
+    def _repr_html_(self) -> str:
+        """A table for a notebook: a row for each input."""
+        return html_table(["input", "value", "meaning"], [*self._rows()], type(self).__name__)
 
 
 @cache

@@ -13,7 +13,7 @@ from scipy.special import ndtri
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
-from analytic.columns import COORDINATES
+from analytic.columns import COORDINATES, points_table
 from analytic.errors import InputError, require_whole
 from analytic.given import Quantity, SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
@@ -39,7 +39,7 @@ from analytic.words import NEWTON_MILLIMETRE, shown
 SAMPLES, MOST_SAMPLES = 512, 4096  # by default: more until the ends are known well enough, and beyond this no more
 LARGEST_SAMPLE = 1_000_000  # that a user may give: more is a slip
 ENOUGH = 0.03  # standard error of each end of the total's interval, over that end
-SEED = 1
+SEED, MOST_INPUTS = 1, 3  # inputs that a notebook names
 ENDS_IN_WORDS = {"low": "lower end of the 95 % interval", "high": "upper end of the 95 % interval"}
 INTERVAL = {
     **ENDS_IN_WORDS,
@@ -150,6 +150,13 @@ class Prediction(Brief):
             rows[f"index_{name}"] = Labelled(("input", POINT), values, Column("1", meaning))
         explained = Column("1", "variance that the regression predicts")
         return rows | {"explained": Labelled((POINT,), self.explained, explained)}
+
+    def _repr_html_(self) -> str:
+        """A table for a notebook: the torque with its 95 % interval, and the inputs that make most of its width."""
+        ends = {f"interval_{end}": self._columns[f"torque_total_{end}"] for end in ("low", "high")}
+        columns = self._points | {"torque_total": self._columns["torque_total"]} | ends
+        most = ", ".join(self.inputs[each].key for each in self.ranked[:MOST_INPUTS])
+        return points_table(columns, caption=f"95 % interval by {self.samples} samples", notes=[f"Most by {most}."])
 
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame of the intervals: a row for each operating point, SI. Inputs stand in `to_dataset`."""

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+import numpy as np
 import pytest
 
 from analytic.declared import Noun, declarations, nothing
@@ -64,3 +65,15 @@ def test_annotations_may_be_texts() -> None:
     refused(lambda: Painted(colour=wrong), 'Painted.colour must be "red", "green" or None, got \'blue\'')
     refused(lambda: Painted(coats={"first": wrong}), 'Painted.coats.first must be "red" or "green", got')
     refused(lambda: Painted(finish=wrong), "Painted.finish must be \"matt\", got 'blue'")
+
+
+def test_a_notebook_shows_inputs_with_their_units_and_meanings() -> None:
+    text = replace(
+        SCENE, name="a <b>", operation=replace(SCENE.operation, inner_speed=np.array([3.7, 89.0]))
+    )._repr_html_()
+    assert "<td>a &lt;b&gt;</td>" in text
+    assert f"<td>operation.inner_speed</td><td>{3.7 * 30 / np.pi:g} to {89 * 30 / np.pi:g} rpm</td>" in text
+    assert (
+        f"<td>bearing.ball_diameter</td><td>{BEARING_6205.ball_diameter * 1e3:g} mm</td><td>of every ball, D</td>"
+        in text
+    )

@@ -233,3 +233,10 @@ def test_dataset_data_frame_and_columns_have_the_same_numbers(predicted: Predict
         np.testing.assert_array_equal(dataset.sel(cause=cause)["made_of_high"], columns[f"by_{cause}_high"])
     assert frame["axial_load"].tolist() == [800.0] * len(frame)
     assert frame.attrs["units"]["torque_total_low"] == "N m"
+
+
+def test_a_notebook_shows_the_interval_and_what_makes_it(predicted: Prediction) -> None:
+    text = predicted._repr_html_()
+    for value in (predicted.nominal.torque.total, predicted.total.low, predicted.total.high):
+        assert f"<td>{value[0] * 1e3:.4g}</td>" in text
+    assert f"<p>Most by {predicted.inputs[predicted.ranked[0]].key}" in text
