@@ -82,6 +82,7 @@ SAME_AS: dict[str, tuple[str, ...]] = {  # other words for keys and tables, as p
 }
 OF_CATALOG = ("bearing", "cage")  # tables that the catalog fills
 BESIDE = ("uncertainty.", "assumed.")  # tables with the keys of the others
+MOST_UNKNOWN = 20  # keys for which similar ones are looked for: more of them take long, and no message tells so many
 MOST_NAMES = 5  # in one message
 TIGHTEST_GROOVE = 0.5  # conformity of a groove that fits the ball
 FACTOR, NORMAL = 0.0, None
@@ -356,7 +357,8 @@ def missing_keys(table: Table, values: Values) -> Iterator[tuple[str, Any, str]]
 
 def faults_of(table: Table, values: Values) -> list[str]:
     """All faults of a document in words: unknown keys first, without the missing keys that they explain."""
-    explained = {path for inside, name, _ in values.unknown for path in _explained(inside, name)}
+    told, more = values.unknown[:MOST_UNKNOWN], values.unknown[MOST_UNKNOWN:]
+    explained = {path for inside, name, _ in told for path in _explained(inside, name)}
     failed = {path.partition("[")[0] for path, _, _ in values.faults}
     lacking = [
         (path, given, problem)
@@ -367,8 +369,9 @@ def faults_of(table: Table, values: Values) -> list[str]:
     unknown = [
         f"{plain(f'{inside.path}.{name}'.lstrip('.'))} = {shown(given)} is an unknown key; "
         + _instead(table, inside, name, given)
-        for inside, name, given in values.unknown
+        for inside, name, given in told
     ]
+    unknown += [f"{name} is an unknown key" for _, name, _ in more]
     return unknown + [_in_words(*fault) for fault in (*values.faults, *lacking)]
 
 
