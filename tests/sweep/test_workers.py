@@ -217,10 +217,11 @@ def test_a_sweep_stopped_or_killed_in_the_middle_continues(
 
 
 BUSY = """
-import operator, time
+import operator, signal, time
 from functools import partial
 from fembearing.sweep.cluster import each_done
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell has its background ignore it
 for task, _ in each_done(operator.call, [partial(time.sleep, 0), partial(time.sleep, 900)], workers=2):
     print("busy", flush=True)
 """
@@ -234,7 +235,10 @@ def test_a_process_ends_in_the_middle_of_its_work_with_the_one_that_started_it(s
         at_work = children(process.pid)
         assert len(at_work) == 2
         process.send_signal(stop)
-        process.communicate(timeout=PATIENCE)
+        try:
+            process.communicate(timeout=PATIENCE)
+        finally:
+            process.kill()  # else the block waits for what did not end
         assert all_end(at_work)
 
 
