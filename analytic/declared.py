@@ -18,7 +18,6 @@ import numpy as np
 from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.given import has_unit, why_no_unit
-from analytic.labelled import html_table
 from analytic.quantity import Dimension, Series, word_like
 from analytic.words import shown
 
@@ -226,6 +225,8 @@ class Noun(Brief):
 
     def _repr_html_(self) -> str:
         """A table for a notebook: a row for each input."""
+        from analytic.labelled import html_table  # which no formula needs
+
         return html_table(["input", "value", "meaning"], [*self._rows()], type(self).__name__)
 
 
