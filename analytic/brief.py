@@ -1,7 +1,8 @@
-"""Nouns and results that show themselves in one line."""
+"""Nouns and results that show themselves in one line, or as a table in a notebook."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -51,3 +52,15 @@ def points_of(series: Mapping[str, Any]) -> str:
     words = [f"{span(series[name])} {unit}" for name, unit in loads if np.any(series[name])]
     speed = f"{span(series['inner_speed'], 30 / np.pi)} rpm"
     return ", ".join([f"{count} point{'' if count == 1 else 's'}", speed, *words])
+
+
+def html_table(head: Sequence[str], rows: Sequence[Sequence[str]], caption: str, notes: Sequence[str] = ()) -> str:
+    """Rows of text as an HTML table;  notes : sentences below it"""
+
+    def row(cells: Sequence[str], tag: str) -> str:
+        return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
+
+    body = "".join(row(cells, "td") for cells in rows)
+    below = "".join(f"<p>{escape(note)}</p>" for note in notes)
+    heads = f"<caption>{escape(caption)}</caption><thead>{row(head, 'th')}</thead>"
+    return f"<table>{heads}<tbody>{body}</tbody></table>{below}"

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from analytic.labelled import Column, Labelled, html_table
+from analytic.brief import html_table
+from analytic.labelled import Column, Labelled
 from analytic.scene import Array
 from analytic.units import GIGA, MICRO, MILLI, STIFFNESS
 from analytic.words import NEWTON, PERCENT, rounded

@@ -15,7 +15,7 @@ from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Protocol, Unio
 
 import numpy as np
 
-from analytic.brief import Brief
+from analytic.brief import Brief, html_table
 from analytic.errors import InputError
 from analytic.given import has_unit, why_no_unit
 from analytic.quantity import Dimension, Series, word_like
@@ -225,8 +225,6 @@ class Noun(Brief):
 
     def _repr_html_(self) -> str:
         """A table for a notebook: a row for each input."""
-        from analytic.labelled import html_table  # which no formula needs
-
         return html_table(["input", "value", "meaning"], [*self._rows()], type(self).__name__)
 
 

@@ -1,7 +1,6 @@
 """Results as labelled arrays, data frames and tables of a notebook: every number with its unit and meaning."""
 
-from collections.abc import Mapping, Sequence
-from html import escape
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -81,18 +80,6 @@ def frame_of(columns: Mapping[str, Labelled], dimension: str) -> Any:
     frame = frame.set_index(dimension) if dimension in kept else frame
     frame.attrs["units"] = {name: each.column.unit for name, each in kept.items() if name in frame}
     return frame
-
-
-def html_table(head: Sequence[str], rows: Sequence[Sequence[str]], caption: str, notes: Sequence[str] = ()) -> str:
-    """Rows of text as an HTML table;  notes : sentences below it"""
-
-    def row(cells: Sequence[str], tag: str) -> str:
-        return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
-
-    body = "".join(row(cells, "td") for cells in rows)
-    below = "".join(f"<p>{escape(note)}</p>" for note in notes)
-    heads = f"<caption>{escape(caption)}</caption><thead>{row(head, 'th')}</thead>"
-    return f"<table>{heads}<tbody>{body}</tbody></table>{below}"
 
 
 def _is_empty(values: ArrayLike) -> bool:

@@ -13,11 +13,11 @@ from annotated_types import MinLen
 from threadpoolctl import threadpool_limits
 
 from analytic.any_scene import scene_by
-from analytic.brief import Brief
+from analytic.brief import Brief, html_table
 from analytic.columns import CONTACT, CONTACT_COLUMNS, VERDICT
 from analytic.errors import require_non_negative, require_packages
 from analytic.given import SceneOptions
-from analytic.labelled import Labelled, dataset_of, html_table
+from analytic.labelled import Labelled, dataset_of
 from analytic.progress import Progress, silent
 from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Contact, Pair, Scene
