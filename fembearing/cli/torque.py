@@ -62,11 +62,11 @@ def torque(
     assumed and printed. --speed 0rpm gives the starting torque. A list of bearings (.csv, .xlsx) has a column
     designation, and columns as these options, which take their place.
     """
-    asked = _asked(scenes or [BUILTIN], given)
-    content = _content_of_all(target, len(asked))
+    requested = _requested(scenes or [BUILTIN], given)
+    content = _content_of_all(target, len(requested))
     lost: list[InputError] = []
     read: dict[str, Scene] = {}
-    for name, one in asked.items():
+    for name, one in requested.items():
         with _named(one.place, lost, keep_going=keep_going):
             read[name] = one.scene()
     count = read_samples(samples, with_interval=with_interval)
@@ -80,7 +80,7 @@ def torque(
     lacking = None
     with talk.progress() as progress, _file_of_all(target if content else None, force=force) as file:
         for number, (name, scene) in enumerate(read.items()):
-            with _named(asked[name].place, lost, keep_going=keep_going):
+            with _named(requested[name].place, lost, keep_going=keep_going):
                 results[name], lacking = torque_with_files(
                     scene,
                     out=None if content else target,
@@ -95,7 +95,7 @@ def torque(
             file.write_bytes(content(results))
     if as_json:
         files = {name: document("torque", content_of(result)) for name, result in results.items()}
-        print_json(files if len(asked) > 1 else next(iter(files.values())))
+        print_json(files if len(requested) > 1 else next(iter(files.values())))
     else:
         _print(results, talk, details=details)
         if target is not None:
@@ -107,8 +107,8 @@ def torque(
     raise typer.Exit(_status(results.values(), lost))
 
 
-class Asked(NamedTuple):
-    """A scene that is asked for."""
+class Requested(NamedTuple):
+    """A scene of the command line, or a row of a list."""
 
     place: str  # as messages begin; "": they need not say it
     name: str
@@ -124,18 +124,18 @@ class Asked(NamedTuple):
         return self.given.scene(self.name)
 
 
-def _asked(names: list[str], given: GivenAccurate) -> dict[str, Asked]:
-    """What is asked for, by the names in the tables. Raises InputError for a scene that stands twice."""
+def _requested(names: list[str], given: GivenAccurate) -> dict[str, Requested]:
+    """The scenes by their names in the tables. Raises InputError for one that is named twice."""
     from analytic.errors import InputError
     from analytic.scenefile.bearing_list import ENDINGS, read_list
 
-    asked: dict[str, Asked] = {}
+    requested: dict[str, Requested] = {}
     times = Counter[str]()
     for name in names:
         if not name.casefold().endswith(ENDINGS):
-            if name in asked:
+            if name in requested:
                 raise InputError(f"the scene {name!r} is given twice: leave one of them out")
-            asked[name] = Asked(name if len(names) > 1 else "", name, given)
+            requested[name] = Requested(name if len(names) > 1 else "", name, given)
             continue
         rows, warnings = read_list(name)
         print_warnings(warnings)
@@ -143,8 +143,8 @@ def _asked(names: list[str], given: GivenAccurate) -> dict[str, Asked]:
             times[designation] += 1
             again = f" ({times[designation]})" if times[designation] > 1 or designation in names else ""
             own = replace(given, **(options | given.options))
-            asked[designation + again] = Asked(place, designation, own, is_listed=True)
-    return asked
+            requested[designation + again] = Requested(place, designation, own, is_listed=True)
+    return requested
 
 
 @contextmanager

@@ -6,7 +6,7 @@ from analytic.errors import InputError
 from analytic.scenefile.find import parse_text
 from tests.refusals import refused
 
-SLIPS = {  # text with a slip, and the line that mends it; "": none is sure
+MISTAKES = {  # text that is no TOML, and the statement in TOML that the message gives; "": none is sure
     'a = "C:\\data\\new.csv"': "a = 'C:\\data\\new.csv'",
     'a = "C:\\users\\x"': "a = 'C:\\users\\x'",
     "a = C:\\data\\x.csv": "a = 'C:\\data\\x.csv'",
@@ -55,8 +55,8 @@ SLIPS = {  # text with a slip, and the line that mends it; "": none is sure
 }
 
 
-@pytest.mark.parametrize(("text", "mended"), SLIPS.items())
-def test_a_slip_is_quoted_and_mended(text: str, mended: str) -> None:
+@pytest.mark.parametrize(("text", "mended"), MISTAKES.items())
+def test_a_message_quotes_the_mistake_and_gives_the_statement_in_toml(text: str, mended: str) -> None:
     with pytest.raises(InputError, match="x: not TOML: ") as found:
         parse_text(text, origin="x")
     said, _, remedy = str(found.value).partition("; write ")
