@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+import fembearing
 from fembearing.cli import app
 from fembearing.mesh.bodies import BodyMesh, BodyName
 from fembearing.mesh.meshfile import read_body
 
-REFERENCE = Path(__file__).resolve().parents[2] / "meshes" / "reference"
+REFERENCE = Path(fembearing.__file__).parent / "meshes" / "reference"
 BODIES: dict[tuple[str, str], BodyName] = {
     ("real", "upper"): "ball",
     ("real", "lower"): "race",
