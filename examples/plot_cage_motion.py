@@ -2,8 +2,8 @@
 A cage that whirls
 ==================
 
-A cage may hang on its balls, or roll around in its pockets, thrown against all balls at once. Which of both it does
-depends on how it started. Its motion is integrated from impact to impact.
+A cage may hang on its balls, or whirl: its centre circles, and centrifugal force presses it against all balls. Which of
+the two it does depends on how it started. Its motion is integrated from impact to impact.
 """
 
 import matplotlib.pyplot as plt

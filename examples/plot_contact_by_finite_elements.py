@@ -2,8 +2,8 @@
 A contact by finite elements
 ============================
 
-Hertz's formulas take two half spaces. A ball in a groove is no half space: the groove closes in on the ball. Finite
-elements on the true shapes tell how much that matters, and how uncertain they are themselves.
+Hertz's formulas hold for two half spaces. A groove is no half space: it closes in on the ball. Finite elements on the
+true shapes show how much that matters, and state their own uncertainty.
 """
 
 import matplotlib.pyplot as plt

@@ -2,8 +2,8 @@
 A torque with its 95 % interval
 ===============================
 
-Clearance, roughness, temperature and the formulas themselves are uncertain. If they err as far as is stated, where does
-the torque lie, and which of them should be known better?
+Clearance, roughness, temperature and the formulas themselves are uncertain. Between which limits does the torque lie if
+the stated uncertainties are right, and which input should be known better?
 """
 
 import matplotlib.pyplot as plt

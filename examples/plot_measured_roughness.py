@@ -2,7 +2,7 @@
 A measured surface
 ==================
 
-Ra is one number, and two surfaces with the same Ra may differ in the length of their waves. A height map says all. Here
+Ra is one number, and two surfaces with the same Ra may differ in the length of their waves. A height map has both. Here
 two generated maps stand for measured ones.
 """
 

@@ -2,8 +2,8 @@
 A preloaded pair
 ================
 
-Two angular contact bearings back to back are stiff from the first newton on, and pay for it with torque. How much
-preload is enough?
+Two preloaded angular contact bearings back to back are stiff under the smallest load, but the preload adds torque. How
+much preload is enough?
 """
 
 from dataclasses import replace

@@ -2,7 +2,7 @@
 The stiffness law of a contact
 ==============================
 
-Hertz's contact stiffens as :math:`F = K \\delta^{1.5}`. Finite elements at several loads tell the exponent of the true
+Hertz's contact stiffens as :math:`F = K \\delta^{1.5}`. Finite elements at several loads give the exponent of the true
 contact, with an uncertainty.
 """
 

@@ -2,8 +2,8 @@
 Torque of a bearing, by its designation
 =======================================
 
-What is printed on the bearing and on the oil drum is enough for a friction torque. The catalogue knows the dimensions
-of the bearing and how uncertain each of them is; the balls are derived from the load ratings.
+What is printed on the bearing and on the oil drum, with load and speed, is enough for a friction torque. The catalogue
+has the dimensions of the bearing and their uncertainty; here the balls are derived from the load ratings.
 """
 
 import matplotlib.pyplot as plt

@@ -3,7 +3,7 @@ A map of the torque over load and speed
 =======================================
 
 Points that differ in load and speed alone are one series: a thousand of them take seconds. Maps over other inputs, and
-larger ones, are the business of sweeps, which use all cores and continue where they were stopped.
+larger ones, are computed by sweeps, which use all cores and continue where they were stopped.
 """
 
 import matplotlib.pyplot as plt
@@ -36,8 +36,8 @@ print(results["torque_total"].attrs, results["film_inner"].attrs)
 # %%
 # Where the torque has its valley
 # -------------------------------
-# On the left the surfaces touch, on the right the oil resists being rolled over. The white line is where the film is as
-# thick as the surfaces are rough.
+# On the left the surfaces touch, on the right the oil resists being rolled over. On the white line the film is as thick
+# as the rms roughness of both surfaces together.
 
 shape = (loads.size, speeds.size)
 rpm = speeds * 30 / np.pi
