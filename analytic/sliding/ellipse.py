@@ -8,8 +8,7 @@ Every point resists with a stress against v, which is a function of pressure and
     M_spin = int tau (v_x y - v_y x)/|v| dA,  M_roll = int tau (v_x y^2/2 - v_y x y)/(R |v|) dA,  0 = int tau v_x/|v| dA
 Without v_y this is the limit of a long ellipse, and with Coulomb friction its moments are those of
 `analytic.sliding.long_ellipse.microslip_moments`; the stress still follows the pressure along rolling. Elastic creep is
-left out (`analytic.sliding.creep.creep_numbers` says when it matters, `analytic.free_ball` has it). A law with a kink,
-such as a cap, needs more nodes.
+left out; `analytic.free_ball` has it. A law with a kink, such as a cap, needs more nodes.
 Source: derived here.
 """
 

@@ -5,8 +5,8 @@ direction. Then only the major axis counts: y follows it from -b to b, with the 
 contact surface has the radius R. A ball that rolls with w_roll and spins with w_s slides by
     v(y) = w_roll y^2/(2 R) + w_s y - c
 with the c that leaves no net friction force. The model needs sliding that is large compared with the elastic creep of
-the surfaces (`creep.creep_numbers` well above 5). A contact of finite length resists spin more: 2 % at b/a = 9, 57 % at
-a circle. It also slides across, as rolling turns the ball about the normal of the curved surface: this is left out,
+the surfaces, which `analytic.free_ball` has. A contact of finite length resists spin more: 2 % at b/a = 9, 57 % at a
+circle. It also slides across, as rolling turns the ball about the normal of the curved surface: this is left out,
 3.8 % of conformity without spin at b/a = 9.3 and 13 % at 4, and less with spin (`analytic.sliding.ellipse`). Rates are
 per unit ring speed difference w, so every torque exists at standstill: it is slip power over w.
 Source: [Johnson1985] sections 8.5 and 9.2. The moments are derived here. They are those of equations 2 to 7 of [Paper]
