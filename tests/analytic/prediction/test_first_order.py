@@ -41,13 +41,8 @@ def test_one_input_in_proportion_gives_its_own_interval(dry: Scene) -> None:
     np.testing.assert_allclose(ends, nominal.torque.total * np.exp(1.959964 * np.array([-spread, spread])), rtol=1e-3)
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        pytest.param("paper_6205", marks=pytest.mark.nightly),
-        pytest.param("6205-dry", marks=pytest.mark.slow),
-    ],
-)
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", ["paper_6205", "6205-dry"])
 def test_the_ends_are_those_of_samples(name: str) -> None:
     """Within a tenth: products of two inputs are neglected, and 1024 samples know their ends to some 3 %."""
     scene = load_scene(name)
