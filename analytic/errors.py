@@ -16,6 +16,7 @@ BROUGHT_BY = {
     **dict.fromkeys(("nicegui", "fastapi", "starlette"), ("nicegui", "app")),
     "SurfaceTopography": ("SurfaceTopography", "profilometer"),
     **dict.fromkeys(("numba", "llvmlite"), ("numba", "jit")),
+    "elftools": ("pyelftools", "jit"),
 }
 
 

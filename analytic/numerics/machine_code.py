@@ -136,7 +136,7 @@ def loaded(entry: Entry, family: str | None = None) -> Callable[..., int]:
     """The machine code of an entry, for the flat arguments of `Entry.bound`.
 
     family : of `families`, which this machine belongs to; None: the best one
-    Raises MissingPackageError where it has to be built, and numba is not installed; CompilerError where it fails.
+    Raises MissingPackageError where it has to be built, and the compiler is not installed; CompilerError where it fails.
     """
     family = family or _family()
     with _loading:
@@ -200,7 +200,7 @@ def _built(entry: Entry, family: str) -> bytes:
     """The code of a file that is built now."""
     import tempfile
 
-    require_packages(f"to compile {entry.name} for this machine, fembearing", "numba")
+    require_packages(f"to compile {entry.name} for this machine, fembearing", "numba", "elftools")
     _announce()
     with tempfile.TemporaryDirectory() as scratch:
         if build_process([entry.name], [family], Path(scratch)).wait():
@@ -259,6 +259,8 @@ def _address(code: bytes) -> int:
         done = system.VirtualProtect(at, size, 0x20, ctypes.byref(ctypes.c_uint32()))  # to be read and run
     else:
         done = not system.mprotect(at, size, mmap.PROT_READ | mmap.PROT_EXEC)
+        if sys.platform == "darwin":  # elsewhere the system does so
+            system.sys_icache_invalidate(at, size)
     if not done:
         raise OSError("this system runs no code that a program loads; allow it for Python")
     return place + head["start"]

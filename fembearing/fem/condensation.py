@@ -130,14 +130,14 @@ class HeldBody:
 
     @contextmanager
     def solving(self) -> Iterator[None]:
-        """For the call of either solver: its own error becomes a SingularError that names the body."""
+        """For the call of a factor: its error becomes a SingularError that names the body."""
         equations = f"{self.name}: its {self.free.size} equations"
         try:
             diagonal = self.upper.diagonal()
             if not (np.isfinite(self.upper.data).all() and (diagonal > 0).all()):  # an empty row would crash PARDISO
                 raise LinAlgError("a stiffness that is not finite and positive")
             yield
-        except (LinAlgError, RuntimeError, MemoryError) as problem:
+        except (LinAlgError, MemoryError) as problem:
             if isinstance(problem, MemoryError):
                 remedy = "Ask for a larger tolerance, which takes a coarser mesh."
                 raise SingularError(problem=f"{equations} do not fit into memory", remedy=remedy) from problem

@@ -193,4 +193,8 @@ class SuperLUFactor:
         """As `Factor`; `right` may have columns too."""
         matrix = (upper + triu(upper, 1).T).tocsc()
         options = {"SymmetricMode": True}
-        return splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options).solve(right)
+        try:
+            factor = splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options)
+        except RuntimeError as problem:  # "Factor is exactly singular"
+            raise LinAlgError(problem) from problem
+        return factor.solve(right)
