@@ -136,7 +136,7 @@ def loaded(entry: Entry, family: str | None = None) -> Callable[..., int]:
     """The machine code of an entry, for the flat arguments of `Entry.bound`.
 
     family : of `families`, which this machine belongs to; None: the best one
-    Raises MissingPackageError where it has to be built, and the compiler is not installed; CompilerError where it fails.
+    Raises MissingPackageError where it has to be built without a compiler, and CompilerError where it fails.
     """
     family = family or _family()
     with _loading:

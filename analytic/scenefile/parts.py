@@ -5,7 +5,7 @@ A quantity of pint, in its own registry, stands for the text that it prints.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, cast
+from typing import Any, TypedDict, Unpack, cast
 from warnings import warn
 
 import numpy as np
@@ -26,12 +26,83 @@ ANYTHING = {"name": "from Python", "tolerance": 0.05, "operation": {"axial_load"
 BEARING = {"catalog": "paper_6205"}
 
 
+class BearingKeys(TypedDict, total=False):
+    """Of [bearing]."""
+
+    name: str
+    ball_count: int
+    ball_diameter: Given
+    ball_mass: Given
+    ball_material: str | Mapping[str, Any]
+    inner: Mapping[str, Any]
+    outer: Mapping[str, Any]
+    bore_diameter: Given
+    outside_diameter: Given
+    width: Given
+    kind: str
+    static_load_rating: Given
+    dynamic_load_rating: Given
+    contact_angle: Mapping[str, Any]
+    pitch_diameter: Given
+    conformity: Given
+    clearance: Given
+
+
+class SurfaceKeys(TypedDict, total=False):
+    """Of [surface]."""
+
+    rms_roughness: Given
+    autocorrelation: Mapping[str, Any]
+    height_map: Mapping[str, Any]
+    ball_rms_roughness: Given
+    hardness: Given
+    boundary_friction: Given
+    gap: str
+    asperities: str
+    Ra: Given
+    finish: str
+
+
+class LubricantKeys(TypedDict, total=False):
+    """Of [lubricant]."""
+
+    pressure_viscosity: Given
+    viscosity_temperature: Given
+    reference_temperature: Given
+    thermal_conductivity: Given
+    density: Given
+    limiting_shear: Given
+    traction: str | Mapping[str, Any]
+    eyring_stress: Given
+    thickening: str
+    supply: str
+    surface_tension: Given
+    starvation_degree: Given
+    reach: Mapping[str, Any]
+    cavitation_pressure: Given
+    compressible: bool
+    film_formula: str
+    rolling_formula: str
+    base_oil: str
+
+
+class MaterialKeys(TypedDict, total=False):
+    """Of a material."""
+
+    youngs_modulus: Given
+    poisson_ratio: Given
+    density: Given
+    source: str
+    hardness: Given
+    thermal_expansion: Given
+
+
 def _scene_with(name: str, keys: Mapping[str, Any]) -> Scene:
     """A scene with this table; the errors of a scene file, which begin with its name."""
     return scene_of({**ANYTHING, "bearing": BEARING, name: in_si(keys, name)}, origin=name)
 
 
-def bearing(designation: str | None = None, **dimensions: Any) -> Bearing:
+def bearing(designation: str | None = None, **dimensions: Unpack[BearingKeys]) -> Bearing:
     """The bearing that the table `[bearing]` of a scene describes.
 
     Parameters
@@ -121,7 +192,7 @@ def _in_si(path: str, given: Series) -> Array:
     return numbers
 
 
-def surfaces(**keys: Any) -> Surface:
+def surfaces(**keys: Unpack[SurfaceKeys]) -> Surface:
     """The surfaces that the table `[surface]` of a scene describes.
 
     Parameters
@@ -149,7 +220,7 @@ def lubricant(
     *,
     temperature: Given | None = None,
     viscosity: Given | Sequence[str] | None = None,
-    **overrides: Given | bool | dict[str, float],
+    **overrides: Unpack[LubricantKeys],
 ) -> Lubricant:
     """The lubricant that the table `[lubricant]` of a scene describes.
 
@@ -190,7 +261,7 @@ def lubricant(
     return found
 
 
-def material(name: str, **overrides: Given) -> Material:
+def material(name: str, **overrides: Unpack[MaterialKeys]) -> Material:
     """The material that a scene means by this name.
 
     Parameters

@@ -1,7 +1,7 @@
 """Quantities of pint: read where texts with units are, else refused in one line that names field, value and unit."""
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Unpack, get_args, get_origin, get_type_hints
 
 import numpy as np
 import pint
@@ -10,9 +10,11 @@ import pytest
 import analytic
 from analytic.errors import InputError
 from analytic.scene import Operation, Scene
+from analytic.scenefile.keys import scene_table
 
 UNIT = pint.UnitRegistry()
 Q: Any = UNIT.Quantity  # what is refused fits no annotation either
+TABLES: Any = scene_table()  # keys of several kinds
 SMOOTH = {"kind": "gaussian", "spacing": "2 um"}
 
 
@@ -73,3 +75,18 @@ def test_what_does_not_fit_is_refused_in_one_line(call: Callable[[], Any], field
     assert f"{field} = " in line
     assert value in line
     assert unit in line.partition(value)[2]
+
+
+@pytest.mark.parametrize(
+    ("function", "table", "named"),
+    [
+        (analytic.bearing, TABLES.find("bearing"), {"catalog"}),
+        (analytic.surfaces, TABLES.find("surface"), set()),
+        (analytic.lubricant, TABLES.find("lubricant"), {"name", "temperature", "viscosity"}),
+        (analytic.material, TABLES.find("bearing.ball_material").kind.inside, {"name"}),
+    ],
+)
+def test_an_editor_knows_the_keys_of_a_table(function: Callable[..., Any], table: Any, named: set[str]) -> None:
+    """named : keys with an argument of their own."""
+    keywords = next(hint for hint in get_type_hints(function).values() if get_origin(hint) is Unpack)
+    assert get_type_hints(get_args(keywords)[0]).keys() | named == table.keys.keys()

@@ -107,6 +107,13 @@ def test_complement_and_solution_by_hand() -> None:
     np.testing.assert_allclose(made.solution(upper, np.array([0.3, -1.7])), inverse @ [0.3, -1.7], rtol=1e-14)
 
 
+def test_a_matrix_without_an_inverse_is_named() -> None:
+    """K = [[4, 2], [2, 1]] has rank 1."""
+    upper = csr_matrix([[4.0, 2.0], [0.0, 1.0]])
+    with pytest.raises(factor.LinAlgError, match="singular"):
+        factor.SuperLUFactor().solution(upper, np.array([0.3, -1.7]))
+
+
 class GivesUp:
     """A factor that fails for every matrix, and holds 7 bytes."""
 

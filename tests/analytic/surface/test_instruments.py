@@ -58,7 +58,10 @@ def test_what_is_no_map_is_refused_in_one_line(tmp_path: Path) -> None:
     read(sur(tmp_path / "large.sur", np.zeros((33, 5000))), "33 by 5000 points")
     (tmp_path / "words.opd").write_text("no map")
     read(tmp_path / "words.opd", "cannot be read")
-    with ZipFile(tmp_path / "large.plux", "w", ZIP_DEFLATED, compresslevel=1) as archive, archive.open("index.xml", "w") as part:
+    with (
+        ZipFile(tmp_path / "large.plux", "w", ZIP_DEFLATED, compresslevel=1) as archive,
+        archive.open("index.xml", "w") as part,
+    ):
         for _ in range(31):
             part.write(bytes(10_000_000))
     read(tmp_path / "large.plux", "unpacks to more than 300 MB")
