@@ -5,7 +5,7 @@ With eta_0 in Pa s, b, the semi-axis across rolling, in m, u in m/s and the surf
     radial load  f = min(1, 1.8 (eta_0 u/sigma)^-0.31)   R^2 0.93, 6209
 Measured with two lithium greases of 100 and 460 mm2/s at 61 degC, up to 6000 and 4000 1/min, after 100 h at 4000 1/min.
 For both loads together the paper has one law with a length that it prints for its own bearings alone. Here the
-logarithms of both laws are weighted by the axial share of the load; that is 8 to 15 % below the paper's law.
+logarithms of both laws are weighted by the axial share of the load; that is 12 to 19 % below the paper's law.
 Source: [Shetty2024].
 """
 
