@@ -62,6 +62,7 @@ sphinx_gallery_conf = {
     "remove_config_comments": True,
     "min_reported_time": 0,
     "image_srcset": ["2x"],
+    "thumbnail_size": (640, 480),
     "default_thumb_file": str(ROOT / "docs/pictures/6205-inner-pressure.png"),
 }
 
