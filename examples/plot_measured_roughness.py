@@ -39,9 +39,9 @@ temperature = "80 degC"
 height_map = {{ path = "{file}", spacing = "1 um" }}
 """
 
-figure, axes = plt.subplots(1, 3, figsize=(7.2, 3.0), layout="constrained")
+found = {}
 with TemporaryDirectory() as folder:
-    for axis, length in zip(axes, (10e-6, 25e-6), strict=False):
+    for length in (10e-6, 25e-6):
         waves = Autocorrelation(kind="gaussian", length=length, spacing=1e-6)
         heights = generated_surface(rms_roughness=0.12e-6, autocorrelation=waves, points=256, seed=3).heights
         name = f"waves of {1e6 * length:.0f} um"
@@ -49,14 +49,18 @@ with TemporaryDirectory() as folder:
         Path(folder, "scene.toml").write_text(SCENE.format(file="race.npy"), "utf-8")
         torque = analytic.friction_torque(analytic.load_scene(Path(folder, "scene.toml")))
         rpm = torque.inner_speed * 30 / np.pi
-        axis.imshow(1e6 * heights, extent=(0, 256, 0, 256))
-        axis.set(title=name, xlabel="um")
-        axes[2].semilogx(rpm, 100 * torque.asperity_share.inner, "o-", label=name)
+        found[name] = heights, torque.asperity_share.inner
         print(f"{name}: {1e3 * torque.torque.total[0]:.1f} N mm at {rpm[0]:.0f} rpm")
 
 # %%
 # Short waves are steep: they carry more of the load at the same film.
 
+figure, axes = plt.subplots(1, 3, figsize=(9.0, 3.2), layout="constrained")
+for axis, (name, (heights, share)) in zip(axes, found.items(), strict=False):
+    image = axis.imshow(1e6 * heights, extent=(0, 256, 0, 256), vmin=-0.4, vmax=0.4)
+    axis.set(title=name, xlabel="um")
+    axes[2].semilogx(rpm, 100 * share, "o-", label=name)
+figure.colorbar(image, ax=axes[1], label="height, um", shrink=0.6)
 axes[2].set(xlabel="speed, rpm", ylabel="load on asperities, %")
 axes[2].set_xticks(rpm, [f"{speed:.0f}" for speed in rpm])
 axes[2].minorticks_off()
