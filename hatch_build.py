@@ -33,6 +33,6 @@ class MachineCode(BuildHookInterface[Any]):
         system = sysconfig.get_platform().replace("universal2", platform.machine())
         build_data["tag"] = f"py3-none-{system.replace('-', '_').replace('.', '_')}"
 
-    def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:
+    def finalize(self, version: str, build_data: dict[str, Any], artifact_path: str) -> None:  # noqa: ARG002
         if version != "editable":
             self.scratch.cleanup()

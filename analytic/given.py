@@ -18,11 +18,20 @@ class Quantity(Protocol):
     def units(self) -> Any: ...
 
 
-Given = float | str | Quantity  # a number in SI, a text with a unit, or a quantity
+class OfNumPy(Protocol):
+    """A number of NumPy, or an array of them for a series."""
+
+    @property
+    def dtype(self) -> Any: ...
+
+    def tolist(self) -> Any: ...
+
+
+Given = float | OfNumPy | str | Quantity  # a number in SI, a text with a unit, or a quantity
 
 
 class OperatingOptions(TypedDict, total=False):
-    """Values of a scene by the names of options: numbers in SI, texts with units, lists for a series."""
+    """Values of a scene by the names of options: numbers in SI, texts with units, lists or arrays for a series."""
 
     axial_load: Given | list[Any]
     radial_load: Given | list[Any]

@@ -2,7 +2,7 @@
 
 from dataclasses import fields, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import hypothesis.strategies as st
 import numpy as np
@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from analytic import friction_torque, load_scene
 from analytic.effects import COMPUTED
 from analytic.errors import InputError
-from analytic.scene import Autocorrelation, ContactAngle, Operation, Scene
+from analytic.scene import Autocorrelation, ContactAngle, Decision, Operation, Scene
 from tests.analytic.specimens import present
 
 BASE = load_scene(Path(__file__).parents[1] / "validation" / "scenes" / "6205_physical.toml")
@@ -34,7 +34,7 @@ scenes = st.builds(
 def scene_of(load: float, speed: float, oil: float, finish: float, angle: float) -> Scene:
     """Every effect is computed, by the method that leaves nothing out; the correction covers races as wide as these."""
     inner, outer = (replace(ring, shoulder_half_width=3.6e-3) for ring in (BASE.bearing.inner, BASE.bearing.outer))
-    effects: dict[str, Literal["auto", "on", "off"]] = dict.fromkeys(COMPUTED, "on") | {"weight": "off"}
+    effects: dict[str, Decision] = {**dict.fromkeys(COMPUTED, "on"), "weight": "off"}
     return replace(
         BASE,
         bearing=replace(BASE.bearing, inner=inner, outer=outer),

@@ -62,7 +62,7 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
     """A test that is a coroutine runs beside a simulated server, in which `opened` opens pages."""
     if not inspect.iscoroutinefunction(pyfuncitem.obj):
         return None
-    opened = pyfuncitem.funcargs["opened"]
+    opened: Any = pyfuncitem.funcargs["opened"]
     given = {name: pyfuncitem.funcargs[name] for name in inspect.signature(pyfuncitem.obj).parameters}
     faults: list[Exception] = []  # raised at the end: an exception that leaves the simulation keeps its loop alive
 

@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
+from websockets.typing import Origin
 
 PATIENCE = 120  # s: the machine may do much else
 SOCKET = "/_nicegui_ws/socket.io/?EIO=4&transport=websocket"
@@ -87,7 +88,7 @@ def test_a_browser_gets_them_by_the_own_names_alone(server: tuple[str, int]) -> 
     by_name = address.replace("127.0.0.1", "localhost")
     for own in (address, by_name):
         assert status(f"http://{own}", {"Sec-Fetch-Site": "none"}) == 200
-        with connect(f"ws://{own}{SOCKET}", origin=f"http://{own}") as open_socket:
+        with connect(f"ws://{own}{SOCKET}", origin=Origin(f"http://{own}")) as open_socket:
             assert "sid" in str(open_socket.recv(PATIENCE))
     assert status(f"http://{address}/check/token/report.html") == 404
     assert status(f"http://{address}", {"Host": "example.com"}) == 400

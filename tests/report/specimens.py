@@ -131,7 +131,8 @@ UNKNOWN = {name: np.nan if column.unit else None for name, column in (OF_CAGE | 
 def moved(*without: str) -> Point:
     """The cage at a point at which nothing is known of these columns."""
     lacking = {name: unknown for name, unknown in UNKNOWN.items() if name.startswith(without)} if without else {}
-    (row,) = rows_of({name: [value] for name, value in (MOVES | lacking).items()})
+    columns: dict[str, Any] = {name: [value] for name, value in (MOVES | lacking).items()}
+    (row,) = rows_of(columns)
     return row
 
 

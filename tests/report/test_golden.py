@@ -109,7 +109,7 @@ class Words(HTMLParser):
         self.lines: list[str] = []
         self.silent = 0
 
-    def handle_starttag(self, tag: str, _attrs: object) -> None:
+    def handle_starttag(self, tag: str, attrs: object) -> None:  # noqa: ARG002
         """Leave out what is not read."""
         self.silent += tag in ("style", "script", "svg")
 

@@ -1,6 +1,7 @@
 """The torque of free balls: limits, directions, hard corners, oil, and weight."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -26,7 +27,8 @@ def scene(bearing_6205: Bearing) -> Scene:
 
 def at(scene: Scene, **changed: float) -> Scene:
     values = {"axial_load": 410.0, "inner_speed": 83.0} | changed
-    return replace(scene, operation=Operation(**{name: np.array([value]) for name, value in values.items()}))
+    points: dict[str, Any] = {name: np.array([value]) for name, value in values.items()}
+    return replace(scene, operation=Operation(**points))
 
 
 @pytest.mark.parametrize("creep", ["off", "on"])

@@ -1,6 +1,7 @@
 """Ring and balls as a result, against the equilibrium's own displacement and tangent, and against small changes."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,8 +19,8 @@ AT_SPEED = {"load_distribution": "on", "centrifugal": "on", "gyroscopic": "on"}
 
 
 def torque(scene: Scene, *, effects: dict | None = None, **operation) -> FrictionTorque:
-    given = Operation(**{name: np.asarray(value, dtype=float) for name, value in operation.items()})
-    scene = replace(scene, operation=given, effects={**scene.effects, **PLAIN, **(effects or {})})
+    points: dict[str, Any] = {name: np.asarray(value, dtype=float) for name, value in operation.items()}
+    scene = replace(scene, operation=Operation(**points), effects={**scene.effects, **PLAIN, **(effects or {})})
     return analytic.friction_torque(scene)
 
 

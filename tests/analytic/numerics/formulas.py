@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.numerics.compilation import compiled
-from analytic.numerics.machine_code import entry
+from analytic.numerics.machine_code import Layout, entry
 from analytic.numerics.records import dtype_of
 from analytic.scene import Array
 
@@ -42,9 +42,12 @@ def both(base, tables):
     return total, total + tables.law.shift[0] * tables.law.shift[1]
 
 
-@entry(
-    lambda: {"bases": 1, "tables": Tables(1, dtype_of(Law)), "limits": (float, int), "sums": (SUMS, 2), "adds": bool}
-)
+def _layout() -> dict[str, Layout]:
+    tables = Tables._make((1, dtype_of(Law)))
+    return {"bases": 1, "tables": tables, "limits": (float, int), "sums": (SUMS, 2), "adds": bool}
+
+
+@entry(_layout)
 def fill(bases: Array, tables: Tables, limits: tuple[float, int], sums: Array, adds: bool) -> int:
     """Write the sums of the first bases, from a least one on; returns how many."""
     found = 0

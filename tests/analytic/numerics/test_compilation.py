@@ -159,14 +159,14 @@ def test_files_that_nobody_uses_are_deleted(first: tuple[Path, str], tmp_path: P
 @pytest.mark.slow  # compiles the kernel where its generic form is not kept
 @pytest.mark.parametrize("rule", ["outer_control", "free"])
 @pytest.mark.parametrize("load", [{"axial_load": 1100.0}, {"radial_load": 2300.0, "axial_load": 170.0}])
-def test_code_of_every_processor_has_the_same_torques(rule: str, load: dict[str, float]) -> None:
+def test_code_of_every_processor_has_the_same_torques(rule: str, load: dict[str, Any]) -> None:
     races = races_of(replace(load_scene("6206", speed=310, **load), spin_rule=rule))
     torques = []
     for family in families():
         model = races.model.with_numbers()
         out = np.zeros(1, POINT)
         given = model.numbers, model.tables, np.ascontiguousarray(races.points), workspace(model)
-        call = solve.bound(*given, np.zeros((0, 0), BALL), out, model.is_free)
+        call: Any = solve.bound(*given, np.zeros((0, 0), BALL), out, model.is_free)
         loaded(solve, family)(*call.args)
         torques.append([out[name][0] for name in ("total", "spin", "rolling", "ball_rate")])
     assert len(torques) == len(families())

@@ -1,5 +1,7 @@
 """The shared load: both equations that it solves, its limits, a root in 40 digits, and digits of another program."""
 
+from typing import Any
+
 import hypothesis.strategies as st
 import numpy as np
 import pytest
@@ -25,7 +27,7 @@ CONTACT = {
     "modulus": E,
     "entrainment_speed": 0.37,
 }
-OIL = {"viscosity": 0.061, "pressure_viscosity": 2.1e-8}
+OIL: dict[str, Any] = {"viscosity": 0.061, "pressure_viscosity": 2.1e-8}
 
 
 def finish(sq: float, length: float = 60e-6, asperities: AsperityLaw = "zhao_maietta_chang") -> Surface:
@@ -122,7 +124,7 @@ def test_a_step_leads_to_the_measured_share(sq: float) -> None:
 
 
 def test_without_load_nothing_is_shared() -> None:
-    found = mixed(rough(0.4e-6), load=np.array([0.0, 1e-300, 1e-12]), entrainment_speed=np.array([[0.3], [0.0]]))
+    found: Any = mixed(rough(0.4e-6), load=np.array([0.0, 1e-300, 1e-12]), entrainment_speed=np.array([[0.3], [0.0]]))
     assert np.all(np.isfinite(found.film_thickness[0]))
     np.testing.assert_array_equal(found.asperity_share[:, 0], 0)
     np.testing.assert_array_equal(found.boundary_share[:, 0], [0, 1])

@@ -161,13 +161,13 @@ def test_standstill_no_load_and_backwards() -> None:
         assert still.force == 0
         assert still.power == 0
         assert not still.outside_range
-    slow = rolling(entrainment_speed=np.array([1e-60, 1e-40, 1e-20])).force
+    slow: Any = rolling(entrainment_speed=np.array([1e-60, 1e-40, 1e-20])).force
     assert np.all(np.diff(slow) > 0)
     assert slow[0] < 1e-30  # N: u^(2/3) or faster
     back = rolling(entrainment_speed=-0.37)
     assert back.force == rolling().force
     assert back.power == rolling().power
-    unloaded = rolling(load=np.array([0.0, 1e-300, 1e-30])).force
+    unloaded: Any = rolling(load=np.array([0.0, 1e-300, 1e-30])).force
     assert unloaded[0] == 0
     assert np.all(np.diff(unloaded) > 0)
 

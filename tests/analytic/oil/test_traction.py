@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import hypothesis.strategies as st
 import mpmath
@@ -116,7 +117,7 @@ def test_the_law_of_a_mixed_contact(traction: str) -> None:
     surface = replace(specimens.FINISH, rms_roughness=0.4e-6, gap="truncated")
     gap = gap_law(surface, gap_roughness(surface), modulus=1.13e11, bodies=(STEEL, STEEL))
     contact, oil, p, v = rolling_contact(), replace(OIL, traction=traction), 0.7e9, 3e-3  # pyright: ignore[reportArgumentType]
-    speeds = np.array([0.0, 1e-3, 1.3])
+    speeds: Any = np.array([0.0, 1e-3, 1.3])
     film = asymptotes_of(contact, Inflow(speeds, 0.06, 2e-8))
     shared = mixed_contact(contact, film, gap)
     law = mixed_traction(oil_numbers(oil), 0.13, shared, 1.0)

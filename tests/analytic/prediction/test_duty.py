@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -83,7 +84,8 @@ def test_each_temperature_has_its_own_oil(tmp_path: Path) -> None:
     file = cycle_file(tmp_path, "duration [min],temperature [degC]\n2,40\n3,70\n")
     found = duty_cycle("6206", file, settings=SETTINGS, **OILED)
     for step, warmth in zip(found.steps, (313.15, 343.15), strict=True):
-        scene = load_scene("6206", settings=SETTINGS, **{**OILED, "temperature": warmth})
+        warm: dict[str, Any] = {**OILED, "temperature": warmth}
+        scene = load_scene("6206", settings=SETTINGS, **warm)
         assert step.torque.value == pytest.approx(analytic.friction_torque(scene).torque.total[0], rel=1e-12)
         assert step.temperature == pytest.approx(warmth)
     assert found.steps[0].duration == 120

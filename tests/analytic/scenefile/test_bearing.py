@@ -216,8 +216,9 @@ def test_a_bearing_from_python_is_that_of_the_scene() -> None:
     assert ours == theirs
     with pytest.warns(UserWarning, match="differs between makers"):
         analytic.bearing("6208")
+    misspelt: Any = {"clearence": 1e-6}
     with pytest.raises(InputError, match=r"did you mean bearing\.clearance"):
-        analytic.bearing("6206", clearence=1e-6)
+        analytic.bearing("6206", **misspelt)
 
 
 def test_operating_points_from_python() -> None:

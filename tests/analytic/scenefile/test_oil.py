@@ -4,6 +4,7 @@ import sys
 from collections.abc import Iterator
 from math import log, sqrt
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -262,10 +263,11 @@ def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> No
 
 
 def test_mistakes_from_python_are_named_too() -> None:
+    misspelt: Any = {"viscositty": 0.03}
     with pytest.raises(InputError, match=r"lubricant\.density = 87.0 kg/m\^3 must be at least 100 kg/m\^3"):
         analytic.lubricant("vg46", density=87.0)
     with pytest.raises(InputError, match=r"lubricant\.viscositty is no key.*did you mean"):
-        analytic.lubricant("vg46", viscositty=0.03)
+        analytic.lubricant("vg46", **misspelt)
     with pytest.raises(InputError, match=r"lubricant\.supply = 'pump'"):
         analytic.lubricant("vg46", supply="pump")
     with pytest.raises(InputError, match=r"lubricant\.temperature must be -40 to 140 degC"):
@@ -274,7 +276,7 @@ def test_mistakes_from_python_are_named_too() -> None:
 
 @pytest.mark.parametrize("name", catalog.oil_names())
 def test_every_oil_of_the_catalog_is_read(name: str) -> None:
-    more = {"pressure_viscosity": 2e-8, "eyring_stress": 5e6, "density": 850.0}
+    more: dict[str, Any] = {"pressure_viscosity": 2e-8, "eyring_stress": 5e6, "density": 850.0}
     read = analytic.lubricant(name, **more)
     # Within what the row says at 40 degC: the class, or the base oil of the grease.
     assert read.viscosity == pytest.approx(
@@ -303,7 +305,8 @@ def test_a_kind_that_nobody_names_has_limits_that_hold_the_known_kinds() -> None
 
 def test_the_slope_of_a_given_density_is_that_of_the_line_alone() -> None:
     """Else the density falls by 0.6 kg/m3 for each kelvin, of 842 at 70 degC."""
-    with_, alone = (analytic.lubricant("ISO VG 46", temperature=WARM, **more) for more in ({}, {"density": 842.0}))
+    given: Any = {"density": 842.0}
+    with_, alone = (analytic.lubricant("ISO VG 46", temperature=WARM, **more) for more in ({}, given))
     assert with_.viscosity == pytest.approx(alone.viscosity, rel=1e-12)
     difference = with_.viscosity_temperature - alone.viscosity_temperature
     assert difference == pytest.approx(0.6 / 842.0, rel=1e-9)

@@ -15,6 +15,7 @@ from analytic.scenefile.keys import scene_key, scene_table
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.setting import read_setting, typed_settings
 from analytic.scenefile.template import scene_text
+from tests.analytic.specimens import present
 from tests.refusals import refused
 
 RPM = np.pi / 30
@@ -26,7 +27,7 @@ LINE: dict[str, Any] = {
     "temperature": "65C",
     "supply": "grease",
 }
-WRITTEN: OperatingOptions = dict(  # noqa: C408
+WRITTEN = OperatingOptions(
     radial_load="3 kN", axial_load="200 N", speed="2900 rpm", oil="ISO VG 46", temperature="65 degC", supply="grease"
 )
 
@@ -88,7 +89,7 @@ def test_a_word_is_known_as_people_write_it(key: str, typed: str, meant: Any) ->
 
 
 @pytest.mark.parametrize("typed", ["2900", " 2900 ", '"2900"'])
-def test_a_speed_without_a_unit_is_in_rpm_and_says_so(typed: str) -> None:
+def test_a_speed_without_a_unit_is_in_rpm_and_says_so(typed: Any) -> None:
     note = "operation.inner_speed = 2900 has no unit and is read as 2900 rpm"
     assert read_setting("operation.inner_speed", typed) == ("2900 rpm", [note])
     scene = load_scene("6308", **{**LINE, "speed": typed})
@@ -133,7 +134,7 @@ def test_a_setting_takes_the_place_of_a_key_and_leaves_the_others() -> None:
 
 
 def test_what_nobody_gave_is_assumed(tmp_path: Any) -> None:
-    def left(name: str, *settings: str, **options: str) -> dict[str, str]:
+    def left(name: str, *settings: str, **options: Any) -> dict[str, str]:
         return dict(load_scene(name, settings=typed_settings([*settings]), **options).usual)
 
     usual = left("6308")
@@ -177,9 +178,8 @@ def test_a_table_is_set_as_a_remedy_writes_it() -> None:
     given = {"surface.rms_roughness": "0.06um"}
     refused(lambda: load_scene("6206", settings=given), '{ kind = "gaussian", length = "60 um", spacing = "2 um" }')
     given["surface.autocorrelation"] = '{ kind = "gaussian", length = "60 um", spacing = "2 um" }'
-    surface = load_scene("6206", settings=given).surface
-    assert surface is not None
-    np.testing.assert_allclose(surface.rms_roughness, 0.06e-6, rtol=1e-12)
+    surface = present(load_scene("6206", settings=given).surface)
+    np.testing.assert_allclose(present(surface.rms_roughness), 0.06e-6, rtol=1e-12)
     ring = load_scene("6206", settings={"bearing.inner.material": {"name": "own", "youngs_modulus": "190 GPa",
                                         "poisson_ratio": 0.3, "density": "7800 kg/m^3"}}).bearing.inner  # fmt: skip
     assert (ring.material.name, ring.material.youngs_modulus) == ("own", 190e9)

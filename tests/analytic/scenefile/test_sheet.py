@@ -6,6 +6,7 @@ import zipfile
 from collections.abc import Sequence
 from datetime import date
 from pathlib import Path
+from typing import Any
 
 import hypothesis.strategies as st
 import numpy as np
@@ -34,7 +35,7 @@ QUOTED = (
 )
 
 
-def workbook(rows: Sequence[Sequence[object]]) -> bytes:
+def workbook(rows: Sequence[Any]) -> bytes:
     book, content = openpyxl.Workbook(), io.BytesIO()
     sheet = book.worksheets[0]
     for row in rows:

@@ -53,7 +53,7 @@ def test_no_other_class_is_nearer(name: str, speed: str, temperature: str) -> No
 
 
 def test_the_highest_speed_of_a_series_counts_and_the_classes_end() -> None:
-    def name_at(speed: object) -> str:
+    def name_at(speed: str | list[str]) -> str:
         oil = load_scene("6206", radial_load="700 N", speed=speed).lubricant
         assert oil is not None
         return oil.name

@@ -1,6 +1,7 @@
 """The friction of one ball over both ellipses: Coulomb's closed forms, exact sums, power, and another program."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import hypothesis.strategies as st
 import numpy as np
@@ -37,7 +38,7 @@ class Running:
     contacts: Pair
     traction: tuple[PointLaw, PointLaw]  # on inner and outer race
     ring_speed: Array
-    spin_difference: Array
+    spin_difference: float
 
     def friction(self, *, line: bool = False) -> BallSlip:
         given = {"ring_speed": self.ring_speed, "spin_difference": self.spin_difference, "line": line}
@@ -60,7 +61,7 @@ def running(
     surface = Surface(rms_roughness=sq, autocorrelation=correlation, hardness=HARDNESS, gap="truncated")
     gap = gap_law(surface, gap_roughness(surface), modulus=STEEL, bodies=(materials.STEEL, materials.STEEL))
 
-    def race(groove: float, side: int, radius: Array, rolling_rate: Array) -> tuple[ContactNumbers, PointLaw]:
+    def race(groove: float, side: int, radius: float, rolling_rate: float) -> tuple[ContactNumbers, PointLaw]:
         ellipse = elliptic_contact(
             curvature_rolling=2 / BALL + side * np.cos(angle) / radius,
             curvature_transverse=2 / BALL - 1 / groove,
@@ -71,7 +72,8 @@ def running(
             deformed_radius=deformed_radius(groove_radius=groove, ball_diameter=BALL),
             rolling_rate=rolling_rate,
         )
-        inflow = Inflow(np.abs(speed * rates.inner_entrainment), OIL.viscosity, OIL.pressure_viscosity)
+        entrainment: Any = np.abs(speed * rates.inner_entrainment)
+        inflow = Inflow(entrainment, OIL.viscosity, OIL.pressure_viscosity)
         shared = mixed_contact(contact, asymptotes_of(contact, inflow), gap)
         oil = oil_numbers(replace(OIL, traction=traction))  # pyright: ignore[reportArgumentType]
         return contact, mixed_traction(oil, 0.12, shared, 1.0)

@@ -31,7 +31,7 @@ def scene(bearing_6205: Bearing) -> Scene:
 
 
 def under(scene: Scene, *points: dict[str, float]) -> Scene:
-    loads = {name: np.array([point.get(name, good) for point in points]) for name, good in GOOD.items()}
+    loads: dict[str, Any] = {name: np.array([point.get(name, good) for point in points]) for name, good in GOOD.items()}
     return replace(scene, operation=Operation(**loads))
 
 

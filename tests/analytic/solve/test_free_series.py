@@ -1,6 +1,7 @@
 """Series of points with free balls: a torque depends neither on the others nor on where balls began."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from tests.analytic.free_ball.specimens import COUNTED, angular_contact, dry_sce
 LEVEL = 1  # of the nodes at all points that are compared
 
 
-def scene_of(bearing: Bearing, **operation: Array) -> Scene:
+def scene_of(bearing: Bearing, **operation: Any) -> Scene:
     """A dry scene with creep; what counts is not left to the points."""
     return Scene(
         tolerance=0.01,

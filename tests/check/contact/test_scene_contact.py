@@ -103,11 +103,8 @@ def test_a_pocket_has_the_load_of_the_paper_and_needs_a_cage() -> None:
 def test_a_refusal_names_the_loads_that_the_scene_gives(
     scene: Scene, loads: dict[str, list[float]], words: str
 ) -> None:
-    operation = Operation(
-        axial_load=np.array([300.0, 210.0]),
-        inner_speed=np.array([30.0, 55.0]),
-        **{name: np.array(values) for name, values in loads.items()},
-    )
+    points: dict[str, Any] = {name: np.array(values) for name, values in loads.items()}
+    operation = Operation(axial_load=np.array([300.0, 210.0]), inner_speed=np.array([30.0, 55.0]), **points)
     with (
         pytest.raises(InputError, match=rf"^{words}$"),
         traced_to_load(replace(scene, operation=operation), pair="inner", load=None),

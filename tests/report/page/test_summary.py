@@ -20,7 +20,7 @@ SUMMARY, ALL = "Friction torque by effect, N mm", "Friction torque of 6205"
 
 def with_points(made: Validation, count: int) -> Report:
     """As many operating points, each with a total of its own; the largest and the smallest are in the middle."""
-    number = np.arange(count)
+    number = np.arange(count, dtype=float)
     totals = 0.0351 + 0.0002 * number
     totals[count // 3], totals[count // 2] = 0.0912, 0.0123
     operation = Operation(axial_load=500.0 + 13 * number, inner_speed=(101 + 7 * number) * np.pi / 30)
