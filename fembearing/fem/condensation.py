@@ -172,7 +172,7 @@ def held_stiffness(
         is_held[axis, plane] = True
     is_held[:, body.far] = True
     is_held[:, body.clamped] = True
-    if np.linalg.matrix_rank(_rigid_motions(body.mesh.doflocs)[is_held]) < RIGID:
+    if np.count_nonzero(is_held) < RIGID or np.linalg.matrix_rank(_rigid_motions(body.mesh.doflocs)[is_held]) < RIGID:
         raise SingularError(
             problem=f"{body.name}: its {int(np.sum(~is_held))} equations have no single answer: it can move without "
             "deformation",
