@@ -11,8 +11,8 @@ from analytic.given import has_unit, why_no_unit
 # Modules that not every installation has: the package of each, and the extra of fembearing that has it.
 BROUGHT_BY = {
     "skfem": ("scikit-fem", "check"),
-    **{name: (name, "check") for name in ("jinja2", "matplotlib", "meshio", "pyvista", "threadpoolctl")},
-    **{name: (name, "sweep") for name in ("dask", "distributed", "netCDF4", "openpyxl", "pandas", "xarray")},
+    **{name: (name, "check") for name in ("jinja2", "matplotlib", "meshio", "openpyxl", "pyvista", "threadpoolctl")},
+    **{name: (name, "sweep") for name in ("dask", "distributed", "netCDF4", "pandas", "xarray")},
     **dict.fromkeys(("nicegui", "fastapi", "starlette"), ("nicegui", "app")),
     "SurfaceTopography": ("SurfaceTopography", "profilometer"),
     **dict.fromkeys(("numba", "llvmlite"), ("numba", "jit")),

@@ -77,7 +77,6 @@ PICTURES = f"--out {{!r}} needs matplotlib: {HOW.format('check')}"
 REFUSED = {  # by installation: what lacks a package, with what it says
     "plain": {
         "sweep ../grid.toml --out new": SWEEP.format("xarray"),
-        "compare ../s.toml ../rig.xlsx": f"../rig.xlsx needs openpyxl: {HOW.format('sweep')}",
         "import fembearing; fembearing.run_sweep('g.toml', out='o')": SWEEP.format("xarray"),
         "import analytic; analytic.friction_torque(analytic.load_scene('6205-dry')).to_dataset()": (
             f"a dataset needs xarray: {HOW.format('sweep')}"
@@ -89,6 +88,7 @@ REFUSED = {  # by installation: what lacks a package, with what it says
         "contact 6205-dry --pair inner": THREADS.format("contact"),
         "contact 6205-dry --mesh new": SOLVER.format("contact"),
         "import fembearing; fembearing.validate": THREADS.format("fembearing.validate"),
+        "torque ../rig.xlsx": f"../rig.xlsx needs openpyxl: {HOW.format('check')}",
         "torque 6205-dry --out new": PICTURES.format("new"),
         "torque 6205-dry --out new.html": PICTURES.format("new.html"),
     },
