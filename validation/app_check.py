@@ -37,6 +37,7 @@ from validation.site_check import WIDTHS, finish, found_browser, leave, read_scr
 TORQUE = "document.querySelector('.big span')?.textContent ?? ''"
 TITLE = "document.querySelector('h1')?.textContent ?? ''"
 BESIDE = "document.querySelector('.q-field--error [role=alert], .q-field--error .q-field__messages')?.textContent ?? ''"
+COMPUTING = "document.querySelector('.old') || document.body.innerText.includes('computing') ? 'computing' : ''"
 STATUS = "document.querySelector('.check [role=status]')?.textContent ?? ''"
 REPORT = "[...document.querySelectorAll('a')].find((each) => each.textContent === 'The whole report')?.href ?? ''"
 SCENE = "document.querySelector('textarea')?.value ?? ''"
@@ -180,7 +181,7 @@ def look(check: Check, width: int, mode: str) -> Iterator[str]:
         tab.value(UNFOLD)
         if not tab.wait(bool, "document.querySelector('.drawing img')?.naturalWidth ?? ''"):
             yield "the bearing is not drawn"
-        tab.wait(lambda text: "computing" not in text, "document.body.innerText", most=60)
+        tab.wait(lambda text: not text, COMPUTING, most=60)
         if beyond := tab.value("document.documentElement.scrollWidth - document.documentElement.clientWidth"):
             yield f"the page is {beyond} pixels wider than its window"
         yield from (f"has no name: {part}" for part in tab.value(NAMELESS))
@@ -214,7 +215,7 @@ def keys_alone(check: Check) -> Iterator[tuple[bool, str]]:
             tab.press("Space", commands=["selectAll"])
             tab.ask("Input.insertText", text=DRY)
             yield tab.wait(lambda text: "without oil" in text or text.startswith("6204"), TITLE), "a scene is pasted"
-        tab.wait(lambda text: "computing" not in text, "document.body.innerText", most=60)
+        tab.wait(lambda text: not text, COMPUTING, most=60)
         yield tab.tab_to("button: Check this scene")[-1].startswith("button"), "the keyboard reaches the check"
         begin = time.monotonic()
         tab.press("Enter")
