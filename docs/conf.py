@@ -78,7 +78,7 @@ html_theme_options = {
     "navbar_align": "left",
     "header_links_before_dropdown": 6,
     "show_prev_next": True,
-    "secondary_sidebar_items": ["page-toc", "edit-this-page"], # edits: see CONTRIBUTING.md
+    "secondary_sidebar_items": ["page-toc", "edit-this-page"],  # edits: see CONTRIBUTING.md
     "footer_start": ["copyright"],
     "footer_end": [],
     "navbar_end": ["theme-switcher"],

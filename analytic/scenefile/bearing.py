@@ -221,7 +221,7 @@ def bearing_of(v: Values) -> Bearing:
         origin = replace(origin, status="printed" if "bearing.clearance" in v.said else "assumed")
     is_own = row is not None and _is_replaced(v, row)
     lost = {key for key in RATINGS if f"bearing.{key}" not in v.said} if is_own else set()  # of the original bearing
-    name = v["bearing.name"] or v["bearing.catalog"] or "unnamed"
+    name = v["bearing.name"] or v["bearing.catalog"] or v["name"]
     origins = _origins(v) | ({} if origin is None else {"clearance": origin})
     return Bearing(
         **v.fields(

@@ -212,7 +212,9 @@ class Columns:
             parts = [name, *name.split("_")]
             begun = [part for part in parts for word in words if len(word) >= SHORTEST and part.startswith(word)]
             if begun or any(get_close_matches(word, parts, cutoff=LIKENESS) for word in [column.name, *words]):
-                raise ValueError(f"{of}; did you mean {self.head(name)}? Else leave the column out")
+                own = column._replace(name=name)
+                meant = f"{name} [{own.unit}]" if own.unit and self._unit_fault(own) is None else self.head(name)
+                raise ValueError(f"{of}; did you mean {meant}? Else leave the column out")
         fitting = [name for name in absent if self._unit_fault(column._replace(name=name)) is None]
         if fitting:
             meant = " or ".join(map(self.head, fitting))

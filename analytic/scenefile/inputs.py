@@ -28,6 +28,7 @@ class StatedInput:
 LARGEST = {"losses.oil_share": 1.0}  # at which the distribution of an input ends, in its unit
 
 USUAL_LOSS_ORIGIN = "usual in calculations for bearing steel; 0.003 to 0.025 are in use, none of them measured"
+USUAL = "a usual value: none was given"
 USUAL_DOWN = "along x, as the radial load"
 
 
@@ -43,10 +44,17 @@ def unit_of(key: str) -> str:
 
 
 def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
-    """The inputs with an origin: of bearing, cage, oil and surface, what the scene assumes, and a usual loss factor."""
+    """The inputs with an origin: of bearing, cage, oil and surface, what scene and designation assume, a usual loss."""
     known = known_inputs(scene)
-    assumed = {key: replace(known[key], status="assumed", source=source) for key, source in scene.assumed.items()}
-    return tuple(({key: known[key] for key in _with_origin(scene)} | assumed).values())
+    stated = {key: known[key] for key in _with_origin(scene)}
+    for key, text in scene.usual.items():
+        word = StatedInput(key=key, value=text, unit="", status="assumed", uncertainty=None, source=USUAL)
+        stated.setdefault(key, replace(known[key], status="assumed", source=USUAL) if key in known else word)
+    return tuple(
+        (
+            stated | {key: replace(known[key], status="assumed", source=text) for key, text in scene.assumed.items()}
+        ).values()
+    )
 
 
 def known_inputs(scene: Scene) -> dict[str, StatedInput]:

@@ -69,7 +69,7 @@ def validate(
     the contacts stands beside the progress as soon as they are solved.
     """
     read = signed.of(given.scene(scene))
-    from fembearing.cli.console import out, print_json
+    from fembearing.cli.console import out, print_json, tell_assumed
     from fembearing.plain_types import document
     from fembearing.report.findings import contact_finding
     from fembearing.report.folder import validate as run
@@ -94,6 +94,7 @@ def validate(
     if as_json:
         print_json(document("validation", report))
     else:
+        tell_assumed(read.usual)
         print_sections(out, [check_headline(report)])
         if details:
             out.print()

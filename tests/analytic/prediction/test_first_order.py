@@ -44,11 +44,12 @@ def test_one_input_in_proportion_gives_its_own_interval(dry: Scene) -> None:
 @pytest.mark.nightly
 @pytest.mark.parametrize("name", ["paper_6205", "6205-dry"])
 def test_the_ends_are_those_of_samples(name: str) -> None:
-    """Within a tenth: products of two inputs are neglected, and 1024 samples know their ends to some 3 %."""
+    """Within a fifth, the largest difference in 100 random scenes of validation/intervals: products of two inputs are
+    neglected."""
     scene = load_scene(name)
     ends = first_order_ends(scene, friction_torque(scene))
     assert ends is not None
-    np.testing.assert_allclose(ends, predict(scene, samples=1024).total.ends, rtol=0.1)
+    np.testing.assert_allclose(ends, predict(scene, samples=1024).total.ends, rtol=0.2)
 
 
 def test_an_input_that_leaves_no_torque_leaves_no_interval(dry: Scene) -> None:

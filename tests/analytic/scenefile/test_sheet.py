@@ -207,7 +207,7 @@ def test_a_list_has_the_options_of_each_bearing(tmp_path: Path, content: bytes) 
     [
         ("designation,speed [N]\n6206,3", ("column speed [N] is not in a unit like rpm",)),
         ("designation,speed\n,3", ("row 1 (line 2): designation is empty",)),
-        ("designation,load [N]\n6206,3", ("'load [N]' is not known", "did you mean axial_load [kN]?")),
+        ("designation,load [N]\n6206,3", ("'load [N]' is not known", "did you mean axial_load [N]?")),
         ("designation,speed [rpm],oil\n6206,3", ("has 2 values, and there are 3 columns",)),
         ("torque [N m],speed [rpm]\n5,3", ("has a column torque and no column designation", "fembearing compare")),
     ],
