@@ -1,6 +1,7 @@
 """One motion of a scene's cage, kept instant by instant: the first of those whose statistics stand in the torque."""
 
 import json
+import shlex
 from dataclasses import dataclass
 from typing import Annotated, Any
 
@@ -159,7 +160,7 @@ class CageRecord(Brief):
             "scene": self.scene.name,
             "scene_content": json.dumps(origin.scene_content),
             "scene_sha256": origin.scene_sha256,
-            "history": f"{origin.date}: {' '.join(origin.command)}",
+            "history": f"{origin.date}: {shlex.join(origin.command)}",
             "versions": json.dumps(origin.versions),
             "units": "SI; each variable has its own",
             "inner_speed_rad_per_s": self.cage.ring_speed,

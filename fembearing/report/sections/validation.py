@@ -1,5 +1,6 @@
 """The check of a scene as a document: the pages that are signed, and the appendices."""
 
+import shlex
 from collections.abc import Callable, Mapping, Sequence
 
 from fembearing.report.document import Block, Drawing, Facts, Section
@@ -28,7 +29,7 @@ def provenance_section(document: Report) -> Section:
     seeds = "; ".join(f"{name}: {', '.join(map(str, values))}" for name, values in origin.seeds.items())
     versions = ", ".join(f"{name} {number or 'not installed'}" for name, number in origin.versions.items())
     rows = [
-        ("command", " ".join(origin.command)),
+        ("command", shlex.join(origin.command)),
         ("scene", f"{origin.scene}; SHA-256 of its content in SI {origin.scene_sha256}"),
         ("date", origin.date),
         ("machine", f"{origin.platform}, {origin.processor}, {origin.cores} cores, Python {origin.python}"),
