@@ -199,6 +199,7 @@ def test_nonsense_is_refused() -> None:
         torque_function(moving)
 
 
+@pytest.mark.nightly
 def test_calls_keep_no_memory(balanced: TorqueFunction) -> None:
     tracemalloc.start()
     kept = []

@@ -94,6 +94,7 @@ def test_a_browser_gets_them_by_the_own_names_alone(server: tuple[str, int]) -> 
     assert status(f"http://{address}", {"Host": "example.com"}) == 400
 
 
+@pytest.mark.nightly  # it waits longer than the page's grace
 def test_a_browser_that_was_too_busy_to_answer_finds_its_page_again(server: tuple[str, int]) -> None:
     """Else it would begin anew: without the scene of the user, and with the usual bearing in the download."""
     address, _ = server

@@ -24,7 +24,10 @@ OPTIONS = [word for name, value in LINE.items() for word in (f"--{name.replace('
 def without_time(out: str) -> dict[str, Any]:
     """Without what a designation leaves open either, which the file of a scene gives."""
     told = json.loads(out)
-    return told | {"seconds": None, "inputs": [each for each in told["inputs"] if "none was given" not in each["source"]]}
+    return told | {
+        "seconds": None,
+        "inputs": [each for each in told["inputs"] if "none was given" not in each["source"]],
+    }
 
 
 def test_one_line_is_the_file_that_init_writes_and_python(
