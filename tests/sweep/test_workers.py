@@ -263,7 +263,7 @@ def certified(tmp_path: Path) -> Iterator[None]:
         yield
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.usefixtures("certified")
 def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, in_process: list[Piece]
