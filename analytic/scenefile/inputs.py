@@ -50,11 +50,8 @@ def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
     for key, text in scene.usual.items():
         word = StatedInput(key=key, value=text, unit="", status="assumed", uncertainty=None, source=USUAL)
         stated.setdefault(key, replace(known[key], status="assumed", source=USUAL) if key in known else word)
-    return tuple(
-        (
-            stated | {key: replace(known[key], status="assumed", source=text) for key, text in scene.assumed.items()}
-        ).values()
-    )
+    assumed = {key: replace(known[key], status="assumed", source=source) for key, source in scene.assumed.items()}
+    return tuple((stated | assumed).values())
 
 
 def known_inputs(scene: Scene) -> dict[str, StatedInput]:

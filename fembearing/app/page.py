@@ -72,10 +72,8 @@ class Page:
                 self.results = ui.element("section").classes("stack").props('aria-label="Results"')
                 with self.results:
                     self._charts()
-            self.dated = (
-                self.results,
-                *(self.lines[name] for name in NUMBERS),
-            )  # pale while they are of an earlier scene
+            # Pale while they are of an earlier scene
+            self.dated = (self.results, *(self.lines[name] for name in NUMBERS))
             self.drawing = DrawingPanel(self)
             self.check = CheckPanel(self)
         self.fields, self.sliders = self.inputs.fields, self.inputs.sliders

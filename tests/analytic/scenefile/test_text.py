@@ -55,13 +55,13 @@ MISTAKES = {  # text that is no TOML, and the statement in TOML that the message
 }
 
 
-@pytest.mark.parametrize(("text", "mended"), MISTAKES.items())
-def test_a_message_quotes_the_mistake_and_gives_the_statement_in_toml(text: str, mended: str) -> None:
+@pytest.mark.parametrize(("text", "corrected"), MISTAKES.items())
+def test_a_message_quotes_the_mistake_and_gives_the_statement_in_toml(text: str, corrected: str) -> None:
     with pytest.raises(InputError, match="x: not TOML: ") as found:
         parse_text(text, origin="x")
     said, _, remedy = str(found.value).partition("; write ")
     assert any(said.endswith(f"), in {line.partition(' #')[0].strip()}") for line in text.split("\n")), said
-    assert remedy == mended
+    assert remedy == corrected
     parse_text(remedy.replace(" and, in a line of its own, ", "\n"), origin="x")
 
 

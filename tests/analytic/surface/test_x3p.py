@@ -116,7 +116,7 @@ def test_a_part_that_unpacks_to_much_is_read_no_further_than_it_may_be_long(tmp_
 
 @pytest.mark.parametrize("method", [ZIP_BZIP2, ZIP_LZMA])
 def test_a_compression_without_limit_is_refused(tmp_path: Path, method: int) -> None:
-    """Python unpacks a whole block of these, whatever is asked for."""
+    """zipfile unpacks a block of bzip2 or LZMA as a whole, even if the caller reads a few bytes."""
     file = x3p(tmp_path / "race.x3p", ROUGH)
     with ZipFile(file) as archive:
         parts = {name: archive.read(name) for name in archive.namelist()}
